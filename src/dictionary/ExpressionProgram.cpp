@@ -64,9 +64,13 @@ const std::map<std::string, Function>& functions()
     return all;
 }
 
+/// Functions of a field as a whole, not of its value in one place: whoever gives the names their values knows `grad(p)` as a name.
+constexpr std::array ofFields{"grad", "smooth"};
+
 std::vector<std::string> functionNames()
 {
     std::vector<std::string> names{"dot", "mag", "vector"};
+    names.insert(names.end(), ofFields.begin(), ofFields.end());
     for (const auto& [name, function] : functions()) names.push_back(name);
     return names;
 }
@@ -303,7 +307,8 @@ private:
         at_ = std::size_t(end - text_.data());
         return {Kind::number, {constant(value)}};
     }
-    Value macro()
+    Value macro() { return variable(nameOfMacro()); }
+    std::string nameOfMacro()
     {
         const bool braced = text_.compare(++at_, 1, "{") == 0;
         if (braced) ++at_;
@@ -314,6 +319,10 @@ private:
             ++at_;
         const auto name = text_.substr(begin, at_ - begin);
         if (braced) expect("}");
+        return name;
+    }
+    Value variable(const std::string& name)
+    {
         auto& names = program_.names_;
         const auto found = std::ranges::find(names, name);
         if (found != names.end()) return variables_[std::size_t(found - names.begin())];
@@ -332,6 +341,13 @@ private:
         if (std::ranges::find(known, name) == known.end())
             fail(fmt::format("\"{}\" is unknown (a macro is written ${}). {}", name, name, suggestion(name, "functions", known)));
         expect("(");
+        if (std::ranges::find(ofFields, name) != ofFields.end())
+        {
+            if (!sees("$")) fail(fmt::format("{}() takes the name of a field: {}($p)", name, name));
+            const auto field = nameOfMacro();
+            expect(")");
+            return variable(fmt::format("{}({})", name, field));
+        }
         std::vector<Value> arguments;
         while (!atEnd() && !sees(")"))
         {

@@ -2,6 +2,7 @@
 #include "case/forcesOnWalls.hpp"
 #include "sampling/BedHydrodynamics.hpp"
 #include "sampling/Conservation.hpp"
+#include "sampling/Contour.hpp"
 #include "sampling/Errors.hpp"
 #include "sampling/Filling.hpp"
 #include "sampling/Forces.hpp"
@@ -25,13 +26,14 @@ namespace
 std::vector<FunctionType>& catalogue()
 {
     static std::vector<FunctionType> types{
-        functionType<Probes>("probes", "fields at points"),
-        functionType<Profile>("profile", "fields along a line"),
+        functionType<Probes>("probes", "fields and expressions at points"),
+        functionType<Profile>("profile", "fields and expressions along a line"),
         functionType<Conservation>("conservation", "mass, momentum and energy"),
         functionType<BedHydrodynamics>("bedHydrodynamics", "saturation and flow in a packed bed"),
         functionType<Errors>("errors", "errors against exact solutions and tables"),
         functionType<Filling>("filling", "how far a cavity is filled"),
         functionType<Reduction>("reduction", "sums, means, extremes and percentiles of expressions"),
+        functionType<Contour>("contour", "shape and way of a level set, or of the surface of a phase"),
         functionType<SurfaceIntegral>("surfaceIntegral", "integral of an expression over a wall: flux, force, torque"),
         functionType<VolFieldValue>("volFieldValue", "mean, least or largest value in a box"),
         functionType<Forces>(forcesType, "forces on walls"),

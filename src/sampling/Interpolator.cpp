@@ -1,5 +1,6 @@
 #include "sampling/Interpolator.hpp"
 #include "sampling/SampledField.hpp"
+#include "sampling/planesOfSymmetry.hpp"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
@@ -30,6 +31,18 @@ void addCopies(std::vector<Vector<3>>& x, std::vector<std::size_t>& source, doub
             copy.*component += k * period;
             if (k == 0 || copy.*component < low - H || copy.*component > high + H) continue;
             x.push_back(copy);
+            source.push_back(source[i]);
+        }
+}
+
+/// Images of the particles within H of a plane of symmetry; those in several planes are mirrored in each.
+void addMirrored(std::vector<Vector<3>>& x, std::vector<std::size_t>& source, const Shape& plane, double H)
+{
+    const auto n = x.size();
+    for (std::size_t i = 0; i < n; ++i)
+        if (const auto foot = plane.foot(x[i]); foot.distance > 0 && foot.distance < H)
+        {
+            x.push_back(mirrorImage(x[i], foot));
             source.push_back(source[i]);
         }
 }
@@ -75,7 +88,7 @@ double PointWeights::operator()(const double* values) const
     return sum;
 }
 
-Interpolator::Interpolator(const ParticleView& view) : kernel_(kernelOf(view)), H_(view.support), volume_(view.volume)
+Interpolator::Interpolator(const ParticleView& view, Mirrored mirrored) : kernel_(kernelOf(view)), H_(view.support), volume_(view.volume)
 {
     for (std::size_t i = 0; i < view.n; ++i)
         if (const auto x = position(view, i); std::isfinite(x.x + x.y + x.z))
@@ -92,6 +105,9 @@ Interpolator::Interpolator(const ParticleView& view) : kernel_(kernelOf(view)), 
                 for (auto& x : x_) x.*c -= period_.*c * std::floor((x.*c - low_.*c) / period_.*c);
                 addCopies(x_, source_, c, low_.*c, low_.*c + period_.*c, H_);
             }
+
+    if (view.geometry && mirrored == Mirrored::atSymmetryPlanes)
+        for (const auto* plane : planesOfSymmetry(*view.geometry)) addMirrored(x_, source_, *plane, H_);
 
     if (x_.empty())
     {
@@ -157,26 +173,15 @@ PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form, c
 {
     PointWeights result;
     std::vector<Vector<3>> offset;
-    const auto centre = wrapped(point);
-    if (!std::isfinite(centre.x + centre.y + centre.z)) return {}; // it lies in no cell
-    const Vector<3> reach{H_, H_, H_};
-    const auto first = cellOf(centre - reach), last = cellOf(centre + reach);
-    for (long cz = first[2]; cz <= last[2]; ++cz)
-        for (long cy = first[1]; cy <= last[1]; ++cy)
-        {
-            const auto row = std::size_t((cz * cells_[1] + cy) * cells_[0]);
-            for (auto i = cellStart_[row + std::size_t(first[0])]; i < cellStart_[row + std::size_t(last[0]) + 1]; ++i)
-            {
-                const auto d = x_[i] - centre;
-                const double r2 = dot(d, d);
-                if (r2 >= H_ * H_ || (admits && !admits(source_[i], d))) continue;
-                const double W = std::visit([&](const auto& kernel) { return kernel.W(std::sqrt(r2)); }, kernel_);
-                result.particle.push_back(source_[i]);
-                result.weight.push_back(volume_[source_[i]] * W);
-                result.coverage += result.weight.back();
-                offset.push_back(d / H_);
-            }
-        }
+    forEachNear(point,
+                [&](std::size_t j, const Vector<3>& d, double W)
+                {
+                    if (admits && !admits(j, d)) return;
+                    result.particle.push_back(j);
+                    result.weight.push_back(volume_[j] * W);
+                    result.coverage += result.weight.back();
+                    offset.push_back(d / H_);
+                });
     if (!(result.coverage > 0)) return {};
     for (auto& w : result.weight) w /= result.coverage;
     if (form == Interpolation::linear)
@@ -185,6 +190,65 @@ PointWeights Interpolator::weights(const Vector<3>& point, Interpolation form, c
         else makeLinear<3>(result.weight, offset);
     }
     return result;
+}
+
+Interpolator::Sums Interpolator::sums(const Vector<3>& point, const double* values) const
+{
+    Sums sums;
+    forEachNear(point,
+                [&](std::size_t j, const Vector<3>&, double W)
+                {
+                    sums.coverage += volume_[j] * W;
+                    sums.ofValues += volume_[j] * W * values[j];
+                });
+    return sums;
+}
+
+Vector<3> Interpolator::gradient(const Vector<3>& point, double here, const double* values) const
+{
+    Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    const auto slope = [this](double r) { return std::visit([r](const auto& kernel) { return kernel.dWdrOverR(r); }, kernel_); };
+    forEachNear(point,
+                [&](std::size_t j, const Vector<3>& d, double)
+                {
+                    const Eigen::Vector3d offset(d.x, d.y, d.z);
+                    const double weight = -volume_[j] * slope(mag(d));
+                    M += weight * offset * offset.transpose();
+                    b += weight * (values[j] - here) * offset;
+                });
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(M);
+    Eigen::Vector3d result = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+        if (const double lambda = eigen.eigenvalues()(k); lambda > leastEigenvalueRatio * eigen.eigenvalues()(2))
+            result += eigen.eigenvectors().col(k).dot(b) / lambda * eigen.eigenvectors().col(k);
+    return {result(0), result(1), result(2)};
+}
+
+std::vector<Interpolator::Range> Interpolator::rangesOfCells(const double* values) const
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Range> ranges(cellStart_.size() - 1, {infinity, -infinity});
+    for (std::size_t cell = 0; cell < ranges.size(); ++cell)
+        for (auto i = cellStart_[cell]; i < cellStart_[cell + 1]; ++i)
+        {
+            const double value = values[source_[i]];
+            ranges[cell] = {std::min(ranges[cell].low, value), std::max(ranges[cell].high, value)};
+        }
+    return ranges;
+}
+
+Interpolator::Range Interpolator::range(const Vector<3>& point, const std::vector<Range>& ofCells) const
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Range all{infinity, -infinity};
+    forEachRow(wrapped(point),
+               [&](std::size_t from, std::size_t to)
+               {
+                   for (auto cell = from; cell < to; ++cell)
+                       all = {std::min(all.low, ofCells[cell].low), std::max(all.high, ofCells[cell].high)};
+               });
+    return all;
 }
 
 }

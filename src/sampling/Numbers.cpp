@@ -28,7 +28,8 @@ const Choice reduction{"operation",
                         {"percentile", "least value with a share of the weight at or below it"},
                         {"timeMean", "mean of a formula over the rows"},
                         {"arrival", "time at which a formula goes past a level"},
-                        {"fit", "a constant of a law that is fitted to the history of a formula"}}, // in the order of Numbers::Operation
+                        {"fit", "a constant of a law that is fitted to the history of a formula"},
+                        {"contour", "a figure of a level set's shape"}}, // in the order of Numbers::Operation
                        "formula",
                        "what makes one number of those of the particles, or of the rows so far"};
 const Text numberValue{"value", required, "expression of fields, position, time, constants and the numbers above"},
@@ -39,6 +40,13 @@ const Scalar percent{"percent", Unit{units::none, "%"}, required, between(0, 100
     within{"within", Unit{units::none, "spacings"}, 1, positive, "of `wall`: particles count that are nearer to it"};
 const Word phaseOfNumber{"phase", byScene("all"), "its particles count alone"},
     wallOfNumber{"wall", notGiven, "particles count that are beside it"};
+
+static Choice figure()
+{
+    ChoiceWords words;
+    for (const auto& f : contourFigures()) words.push_back({f.column.name, f.column.meaning});
+    return {"gives", words, required, "figure of the contour"};
+}
 const SubDictionary regionOfNumber{"region", byScene("everywhere"), "particles count within this box"};
 }
 
@@ -51,17 +59,18 @@ EntryList Numbers::entries(const EntryList& beside)
     const EntryList choice{
         entry::where, entry::phaseOfNumber, {entry::regionOfNumber, {entry::min, entry::max}}, entry::wallOfNumber, entry::within};
     const auto weighed = EntryList{entry::weight} + choice;
-    const EntryList number{entry::numberValue,
-                           {entry::reduction,
-                            {{"formula", {}},
-                             {"sum", choice},
-                             {"mean", weighed},
-                             {"min", choice},
-                             {"max", choice},
-                             {"percentile", EntryList{entry::percent} + weighed},
-                             {"timeMean", {entry::from}},
-                             {"arrival", {entry::level, entry::from}},
-                             {"fit", HistoryFit::entries() + EntryList{entry::from}}}}};
+    const EntryList value{entry::numberValue}, span{entry::from, entry::to};
+    const EntryList number{{entry::reduction,
+                            {{"formula", value},
+                             {"sum", value + choice},
+                             {"mean", value + weighed},
+                             {"min", value + choice},
+                             {"max", value + choice},
+                             {"percentile", value + EntryList{entry::percent} + weighed},
+                             {"timeMean", value + span},
+                             {"arrival", value + EntryList{entry::level} + span},
+                             {"fit", value + HistoryFit::entries() + span},
+                             {"contour", EntryList{entry::figure()} + ContourShape::entries()}}}};
     return {{entry::numbers, {{entry::ownNumber, number + beside}}}};
 }
 
@@ -83,14 +92,25 @@ Numbers::Numbers(const Dictionary& dict, const FunctionContext& context)
         const auto expression = [&](const Text& entry, const std::string& text)
         { return ParticleExpression(entry, d, text, above, below); };
         const auto operation = Operation(entry::reduction.index(d));
-        Number number{name, operation, expression(entry::numberValue, entry::numberValue(d)), {}, {}, {}, {}, {}, 0, 0, 0, {}, {}};
+        Number number;
+        number.name = name;
+        number.operation = operation;
+        if (operation == Operation::contour)
+        {
+            const auto figure = entry::figure();
+            number.figure = std::size_t(figure.index(d));
+            number.contour.emplace(d, context, above, below);
+            if (figure(d) == "angle" && !number.contour->hasWall())
+                figure.error(d, "the angle is that with a wall: name it, `wall floor;`");
+        }
+        else number.value = expression(entry::numberValue, entry::numberValue(d));
         if (number.isOverTime())
         {
             number.history = History(d);
             if (operation == Operation::arrival) number.level = entry::level(d);
             if (operation == Operation::fit) number.fit.emplace(d);
         }
-        else if (operation != Operation::formula)
+        else if (operation != Operation::formula && operation != Operation::contour)
         {
             if (operation == Operation::mean || operation == Operation::percentile)
                 number.weight = expression(entry::weight, entry::weight(d, "$volume"));
@@ -143,7 +163,7 @@ std::vector<char> Numbers::chosen(const Number& number, const ParticleView& view
 NamedNumber Numbers::reduced(const Number& number, const ParticleView& view, const NamedNumbers& known)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-    const auto f = number.value.atParticles(view, known);
+    const auto f = number.value->atParticles(view, known);
     const auto isChosen = chosen(number, view, known);
     const auto particles = count(view.n, [&](std::size_t i) { return isChosen[i] != 0; });
     const auto is = [&](double value) { return NamedNumber{number.name, value, particles}; };
@@ -182,10 +202,7 @@ NamedNumber Numbers::Number::overTime(const ParticleView& view, double now)
     const auto is = [&](double found) { return NamedNumber{name, found, view.n, operation != Operation::timeMean || !t.empty()}; };
     if (operation == Operation::timeMean) return is(t.empty() ? nan : std::accumulate(a.begin(), a.end(), 0.0) / double(a.size()));
     if (operation == Operation::fit) return is((*fit)(history));
-    for (std::size_t k = 1; k < t.size(); ++k)
-        if (const double before = a[k - 1] - level, after = a[k] - level; before * after <= 0 && before != after)
-            return is(t[k - 1] + before / (before - after) * (t[k] - t[k - 1]));
-    return is(nan);
+    return is(history.passage(level));
 }
 
 NamedNumbers Numbers::operator()(const ParticleView& view)
@@ -193,12 +210,18 @@ NamedNumbers Numbers::operator()(const ParticleView& view)
     NamedNumbers known;
     for (auto& number : numbers_)
     {
+        if (number.contour)
+        {
+            const auto figures = (*number.contour)(view, known);
+            known.push_back({number.name, contourFigures()[number.figure].of(figures), figures.places});
+            continue;
+        }
         if (number.operation != Operation::formula && !number.isOverTime())
         {
             known.push_back(reduced(number, view, known));
             continue;
         }
-        const double value = number.value.ofScene(view, known);
+        const double value = number.value->ofScene(view, known);
         const double now =
             std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value; // without a sign, which 0/0 has by the machine
         known.push_back(number.isOverTime() ? number.overTime(view, now) : NamedNumber{number.name, now, view.n});

@@ -1,5 +1,6 @@
 /// Numbers of a view by name, each a reduction of an expression over particles, or a formula of the numbers before it.
 #pragma once
+#include "sampling/ContourShape.hpp"
 #include "sampling/FunctionContext.hpp"
 #include "sampling/HistoryFit.hpp"
 #include "sampling/ParticleExpression.hpp"
@@ -20,6 +21,7 @@ namespace sph
 ///         steady   { operation timeMean; value "$jump"; from 2; }
 ///         filled   { operation arrival; value "$speed"; level 0.1; }
 ///         period   { operation fit; value "$jump"; from 0.5; form oscillation; gives period; }     // HistoryFit.hpp
+///         angle    { operation contour; phase water; wall floor; gives angle; }                    // ContourShape.hpp
 ///     }
 ///
 /// Of the particles that are chosen, f the value and w the weight (the volume unless given):
@@ -29,7 +31,7 @@ namespace sph
 /// percentile: the least value that has at least the share `percent` of the weight at or below it. NaN where no particle is chosen; a sum is 0 then. Particles that openings
 /// hold beyond their planes are left out.
 ///
-/// Over time, of the values that a formula had at the rows since `from`, a restarted run goes on with them: timeMean, their mean, of which there is none before; arrival, the first time at which
+/// Over time, of the values that a formula had at the rows since `from`, until `to`, a restarted run goes on with them: timeMean, their mean, of which there is none before; arrival, the first time at which
 /// they have gone past `level` [s], between two rows in proportion; fit, a constant of a law. NaN while there is none.
 class Numbers
 {
@@ -43,14 +45,14 @@ class Numbers
         percentile,
         timeMean,
         arrival,
-        fit
+        fit,
+        contour
     };
     struct Number
     {
         std::string name;
-        Operation operation;
-        ParticleExpression value;
-        std::optional<ParticleExpression> weight, condition;
+        Operation operation = Operation::formula;
+        std::optional<ParticleExpression> value, weight, condition; ///< a value but of a contour
         std::optional<std::size_t> phase;
         std::optional<Box> region;
         std::optional<int> wall;
@@ -58,8 +60,10 @@ class Numbers
         double percent = 0, level = 0;
         std::optional<HistoryFit> fit;
         History history;
+        std::optional<ContourShape> contour;
+        std::size_t figure = 0; ///< of the contour, in the order of contourFigures
 
-        bool isOverTime() const { return operation >= Operation::timeMean; }
+        bool isOverTime() const { return operation >= Operation::timeMean && operation != Operation::contour; }
         /// A number over time, with `now` the value that its formula has.
         NamedNumber overTime(const ParticleView&, double now);
     };

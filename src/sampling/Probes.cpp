@@ -1,7 +1,5 @@
 #include "sampling/Probes.hpp"
 #include "sampling/Interpolator.hpp"
-#include "sampling/SampledField.hpp"
-#include "sampling/sharedEntries.hpp"
 #include <fmt/format.h>
 
 namespace sph
@@ -30,8 +28,7 @@ namespace column
 const Column probe{"<k>", "of the field", "the field at the k-th point; (x y z) of a vector"};
 }
 
-Probes::Probes(const Dictionary& d, const FunctionContext& context)
-    : context_(context), fields_(entry::fields(d)), locations_(entry::probeLocations(d)), fieldsWhere_(entry::fields.where(d))
+Probes::Probes(const Dictionary& d, const FunctionContext& context) : context_(context), sampled_(d), locations_(entry::probeLocations(d))
 {
     for (std::size_t k = 0; k < locations_.size(); ++k)
         if (!inside(context.geometry, locations_[k]))
@@ -39,9 +36,9 @@ Probes::Probes(const Dictionary& d, const FunctionContext& context)
                                                        cell(context.geometry.low), cell(context.geometry.high)));
 }
 
-EntryList Probes::entries() { return {entry::fields, entry::probeLocations}; }
+EntryList Probes::entries() { return SampledValues::entries() + EntryList{entry::probeLocations}; }
 
-TableInfo Probes::table() { return {"probes", "<field>", "a field at points, one file a field", {column::probe}}; }
+TableInfo Probes::table() { return {"probes", "<field>", "a field or expression at points, one file each", {column::probe}}; }
 
 void Probes::execute(const ParticleView& view)
 {
@@ -49,9 +46,9 @@ void Probes::execute(const ParticleView& view)
     std::vector<PointWeights> weights;
     for (const auto& x : locations_) weights.push_back(interpolator.weights(x));
 
-    for (const auto& name : fields_)
+    for (const auto& value : sampled_(view))
     {
-        const SampledField field(view, name, fieldsWhere_);
+        const auto& name = value.name;
         if (!files_.contains(name))
         {
             std::vector<std::string> header;
@@ -67,8 +64,8 @@ void Probes::execute(const ParticleView& view)
         for (const auto& w : weights)
         {
             std::string values;
-            for (int c = 0; c < field.components(); ++c) values += (c ? " " : "") + cell(w(field.array(c)));
-            cells.push_back(field.components() == 1 ? values : "(" + values + ")");
+            for (std::size_t c = 0; c < value.columns.size(); ++c) values += (c ? " " : "") + cell(w(value.component(c)));
+            cells.push_back(value.columns.size() == 1 ? values : "(" + values + ")");
         }
         files_.at(name).row(view.time, cells);
     }

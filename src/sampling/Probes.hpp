@@ -1,6 +1,7 @@
-/// Function object `probes`: values of fields at fixed points.
+/// Function object `probes`: values of fields and expressions at fixed points.
 #pragma once
 #include "sampling/FunctionContext.hpp"
+#include "sampling/SampledValues.hpp"
 #include <map>
 
 namespace sph
@@ -8,16 +9,15 @@ namespace sph
 
 /// Values at fixed points, by the linear form of Interpolator: exact for linear fields.
 ///
-///     type probes;  fields (U p);  probeLocations ((0 0 0) (1e-3 0 0));
+///     type probes;  fields (U p);  expressions { speed "mag($U)"; }  probeLocations ((0 0 0) (1e-3 0 0));
 ///
-/// One file per field, postProcessing/<name>/<startTime>/<field>, in OpenFOAM's format: a header line per probe, then a row per
+/// One file per field or expression, postProcessing/<name>/<startTime>/<field>, in OpenFOAM's format: a header line per probe, then a row per
 /// time. A probe with no particle within reach gets nan.
 class Probes : public FunctionObject
 {
     FunctionContext context_;
-    std::vector<std::string> fields_;
+    SampledValues sampled_;
     std::vector<Vector<3>> locations_;
-    Location fieldsWhere_;
     std::map<std::string, OutputTable> files_;
 
 public:

@@ -3,7 +3,6 @@
 #include "sampling/Interpolator.hpp"
 #include "sampling/SampledField.hpp"
 #include "sampling/VolumeMean.hpp"
-#include "sampling/sharedEntries.hpp"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -26,39 +25,36 @@ const Column distance{"distance", "m", "from `start`; with `bins` to the middle 
 }
 
 Profile::Profile(const Dictionary& d, const FunctionContext& context)
-    : context_(context),
-      start_(entry::start(d)),
-      end_(entry::end(d)),
-      fields_(entry::fields(d)),
-      fieldsWhere_(entry::fields.where(d)),
-      points_(entry::nPoints(d, 0)),
-      bins_(entry::bins(d, 0))
+    : context_(context), start_(entry::start(d)), end_(entry::end(d)), sampled_(d), points_(entry::nPoints(d, 0)), bins_(entry::bins(d, 0))
 {
     if (!(mag(end_ - start_) > 0)) entry::end.error(d, "start and end of a profile must differ");
     if (entry::nPoints.given(d) == entry::bins.given(d)) entry::nPoints.error(d, "a profile needs either nPoints or bins");
 }
 
-EntryList Profile::entries() { return {entry::start, entry::end, entry::fields, entry::nPoints, entry::bins}; }
+EntryList Profile::entries()
+{
+    return EntryList{entry::start, entry::end} + SampledValues::entries() + EntryList{entry::nPoints, entry::bins};
+}
 
 TableInfo Profile::table()
 {
     return {"profile",
             "line_<fields>.xy, bins_<fields>.xy",
-            "fields along a line, one file a time, in the folder of that time",
+            "fields and expressions along a line, one file a time, in the folder of that time",
             {column::distance, column::onLine, column::particles}};
 }
 
 void Profile::execute(const ParticleView& view)
 {
     std::vector<std::string> columns{column::distance.name};
-    for (const auto& name : fields_)
-        for (const auto& component : columnNames(SampledField(view, name, fieldsWhere_))) columns.push_back(component);
+    const auto values = sampled_(view);
+    for (const auto& value : values) columns.insert(columns.end(), value.columns.begin(), value.columns.end());
     if (bins_ > 0) columns.push_back(column::particles.name);
-    writeFile(context_.fileOfTime(fmt::format("{}_{}.xy", bins_ > 0 ? "bins" : "line", fmt::join(fields_, "_"))),
-              fmt::format("# {}\n{}", fmt::join(columns, "\t"), bins_ > 0 ? binRows(view) : pointRows(view)));
+    writeFile(context_.fileOfTime(fmt::format("{}_{}.xy", bins_ > 0 ? "bins" : "line", fmt::join(sampled_.names(), "_"))),
+              fmt::format("# {}\n{}", fmt::join(columns, "\t"), bins_ > 0 ? binRows(view, values) : pointRows(view, values)));
 }
 
-std::string Profile::pointRows(const ParticleView& view) const
+std::string Profile::pointRows(const ParticleView& view, const std::vector<SampledValues::Value>& values) const
 {
     const Interpolator interpolator(view);
     std::string rows;
@@ -67,17 +63,14 @@ std::string Profile::pointRows(const ParticleView& view) const
         const auto along = double(k) / (points_ - 1) * (end_ - start_);
         const auto weights = interpolator.weights(start_ + along);
         rows += cell(mag(along));
-        for (const auto& name : fields_)
-        {
-            const SampledField field(view, name, fieldsWhere_);
-            for (int c = 0; c < field.components(); ++c) rows += "\t" + cell(weights(field.array(c)));
-        }
+        for (const auto& value : values)
+            for (std::size_t c = 0; c < value.columns.size(); ++c) rows += "\t" + cell(weights(value.component(c)));
         rows += "\n";
     }
     return rows;
 }
 
-std::string Profile::binRows(const ParticleView& view) const
+std::string Profile::binRows(const ParticleView& view, const std::vector<SampledValues::Value>& values) const
 {
     const double length = mag(end_ - start_);
     const auto direction = (end_ - start_) / length;
@@ -89,12 +82,11 @@ std::string Profile::binRows(const ParticleView& view) const
     };
     const auto particles = groupSums(view.n, bins, binOf, [](std::size_t) { return std::size_t(1); });
     std::vector<std::vector<VolumeMean<>>> means;
-    for (const auto& name : fields_)
-    {
-        const SampledField field(view, name, fieldsWhere_);
-        for (int c = 0; c < field.components(); ++c)
-            means.push_back(groupSums(view.n, bins, binOf, [&](std::size_t i) { return VolumeMean<>::of(view.volume[i], field(c, i)); }));
-    }
+    for (const auto& value : values)
+        for (std::size_t c = 0; c < value.columns.size(); ++c)
+            means.push_back(groupSums(view.n, bins, binOf,
+                                      [&, f = value.component(c)](std::size_t i)
+                                      { return VolumeMean<>::of(view.volume[i], f ? f[i] : 0); }));
     std::string rows;
     for (std::size_t b = 0; b < bins; ++b)
     {

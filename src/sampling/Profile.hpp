@@ -1,13 +1,15 @@
-/// Function object `profile`: fields along a line.
+/// Function object `profile`: fields and expressions along a line.
 #pragma once
 #include "sampling/FunctionContext.hpp"
+#include "sampling/SampledValues.hpp"
 
 namespace sph
 {
 
-/// Fields along a straight line, in points or as means over slabs across it.
+/// Fields and expressions along a straight line, in points or as means over slabs across it.
 ///
 ///     type profile;  start (0 0 0);  end (0 1e-3 0);  fields (U p);  nPoints 50;      // or: bins 20;
+///     type profile;  start (0 0 0);  end (0 1e-3 0);  expressions { speed "mag($U)"; }  bins 20;
 ///
 /// `nPoints` interpolates at equidistant points from start to end (linear form of Interpolator): `line_U_p.xy`. `bins` divides
 /// the line into equal lengths and takes the volume-weighted mean of all particles that project on each, whatever their distance
@@ -17,12 +19,11 @@ class Profile : public FunctionObject
 {
     FunctionContext context_;
     Vector<3> start_, end_;
-    std::vector<std::string> fields_;
-    Location fieldsWhere_;
+    SampledValues sampled_;
     int points_, bins_;
 
-    std::string pointRows(const ParticleView&) const;
-    std::string binRows(const ParticleView&) const;
+    std::string pointRows(const ParticleView&, const std::vector<SampledValues::Value>&) const;
+    std::string binRows(const ParticleView&, const std::vector<SampledValues::Value>&) const;
 
 public:
     static EntryList entries();

@@ -1,7 +1,5 @@
 #include "sampling/WallTriangles.hpp"
-#include "geometry/components.hpp"
 #include "geometry/wallSurfaces.hpp"
-#include "kernels/Kernel.hpp"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -46,21 +44,8 @@ void refine(TriangleSurface& s, double size)
 }
 
 WallTriangles::WallTriangles(const ParticleView& view, const Box& region)
-    : region_(region), spacing_(view.spacing), flat_(view.dimension == 2)
+    : region_(region), spacing_(view.spacing), flat_(view.dimension == 2), fluidPart_(view)
 {
-    constexpr int steps = 4; // to the radius of the sphere
-    const auto W = [&](double r) { return flat_ ? Kernel<2>(view.kernel, view.support).W(r) : Kernel<3>(view.kernel, view.support).W(r); };
-    double whole = 0;
-    for (int k = flat_ ? 0 : -steps; k < (flat_ ? 1 : steps); ++k)
-        for (int j = -steps; j < steps; ++j)
-            for (int i = -steps; i < steps; ++i)
-            {
-                const Vector<3> r = view.support / steps * Vector<3>{i + 0.5, j + 0.5, flat_ ? 0 : k + 0.5};
-                if (mag(r) >= view.support) continue;
-                sphere_.push_back({r, W(mag(r))});
-                whole += sphere_.back().weight;
-            }
-    for (auto& part : sphere_) part.weight /= whole;
     triangulate(*view.geometry);
 }
 
@@ -69,27 +54,11 @@ void WallTriangles::follow(const Geometry& geometry)
     if (!std::ranges::equal(shapes_, geometry.patches, {}, {}, &Patch::shape)) triangulate(geometry);
 }
 
-/// The part of the kernel's sphere about x that lies in the domain and outside of solids, by points within it that carry equal weights.
-double WallTriangles::fluidPart(const Vector<3>& x, const Geometry& geometry) const
-{
-    const auto inDomain = [&](const Vector<3>& y)
-    {
-        for (int k = 0; k < geometry.dimension; ++k)
-            if (const auto c = component(k); !geometry.periodic[std::size_t(k)] && (y.*c < geometry.low.*c || y.*c > geometry.high.*c))
-                return false;
-        return true;
-    };
-    double part = 0;
-    for (const auto& [offset, weight] : sphere_)
-        if (const auto y = x + offset; inDomain(y) && geometry.inFluid(y)) part += weight;
-    return part;
-}
-
 double WallTriangles::filled(Wall& wall, std::size_t point, double coverage, const Geometry& geometry) const
 {
     if (coverage >= surelyFilled) return 1;
     auto& part = wall.fluidParts[point];
-    if (std::isnan(part)) part = fluidPart(inScene(wall.surface.points[point]), geometry);
+    if (std::isnan(part)) part = fluidPart_(inScene(wall.surface.points[point]), geometry);
     return coverage / std::max(part, coverage);
 }
 

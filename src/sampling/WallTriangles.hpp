@@ -1,7 +1,7 @@
 /// The walls of a scene as small triangles, on which fields are carried by interpolation.
 #pragma once
 #include "geometry/TriangleSurface.hpp"
-#include "sampling/ParticleView.hpp"
+#include "sampling/FluidPart.hpp"
 #include <memory>
 #include <vector>
 
@@ -21,21 +21,15 @@ public:
     };
 
 private:
-    struct Part
-    {
-        Vector<3> offset; ///< from the middle [m]
-        double weight;
-    };
     Box region_;
     double spacing_; ///< [m]
     bool flat_;
-    std::vector<Part> sphere_;                         ///< parts of the kernel's sphere, of equal size
+    FluidPart fluidPart_;
     std::vector<std::shared_ptr<const Shape>> shapes_; ///< whose triangles these are
     std::vector<Wall> walls_;
 
     double size() const { return 0.5 * spacing_; } ///< of triangles, at most [m]
     void triangulate(const Geometry&);
-    double fluidPart(const Vector<3>& x, const Geometry&) const;
 
 public:
     /// Triangles of the view's geometry, for its resolution.

@@ -26,7 +26,7 @@ ColumnGrowth::ColumnGrowth(const Dictionary& d, const Geometry& geometry, const 
         d.error("name", "the column's waves are measured along z: the domain must be 3-D and periodic in z");
 }
 
-EntryList ColumnGrowth::entries() { return {entry::phase, entry::largest, entry::from}; }
+EntryList ColumnGrowth::entries() { return {entry::phase, entry::largest, entry::from, entry::to}; }
 
 Measurement ColumnGrowth::operator()(const ParticleView& view)
 {

@@ -2,10 +2,11 @@
 #include "geometry/forEachFoot.hpp"
 #include "parallel/reduce.hpp"
 #include "sampling/SampledField.hpp"
+#include "sampling/SphereFit.hpp"
 #include "sampling/sharedEntries.hpp"
 #include "verification/Drop.hpp"
-#include "verification/SphereFit.hpp"
 #include "verification/VolumeFraction.hpp"
+#include "verification/wallAngle.hpp"
 #include <algorithm>
 #include <limits>
 #include <numbers>
@@ -15,9 +16,7 @@ namespace sph
 
 namespace entry
 {
-const Scalar angle{"angle", degrees, byScene("the wall's of two phases, turned round for the second"),
-                   between(0, 180).saying("a contact angle lies between 0 and 180 degrees"), "the exact one"},
-    above{"above", Unit{units::none, "spacings"}, 2.5, nonNegative, "height above the wall from which on the surface is fitted"};
+const Scalar above{"above", Unit{units::none, "spacings"}, 2.5, nonNegative, "height above the wall from which on the surface is fitted"};
 }
 
 namespace
@@ -77,9 +76,7 @@ Measurement ContactAngle::operator()(const ParticleView& view) const
         return result;
     }
     const auto& wall = view.geometry->walls.at(std::size_t(patches[std::size_t(patch)].wall));
-    const double ofWall = wall.contactAngles.empty() ? (phase_ == 0 ? wall.contactAngle : 180 - wall.contactAngle)
-                                                     : wall.angleOf(name_, around_).value_or(std::numeric_limits<double>::quiet_NaN());
-    result.reference = angle_ >= 0 ? angle_ : ofWall;
+    result.reference = angle_ >= 0 ? angle_ : wallAngle(wall, phase_, name_, around_);
 
     const double farthest = most(view.n, [&](std::size_t i)
                                  { return phaseOf(view, i) == phase_ ? mag(displacement(view, drop.centre, position(view, i))) : 0; });

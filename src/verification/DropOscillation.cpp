@@ -39,7 +39,7 @@ DropOscillation::DropOscillation(const Dictionary& d, const Geometry&, const std
         d.error("name", "a drop oscillates in a second phase, or alone where the gas is left out: the scene has more than two");
 }
 
-EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::centre, entry::from}; }
+EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::centre, entry::from, entry::to}; }
 
 DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
 {

@@ -27,7 +27,7 @@ InterfaceGrowth::InterfaceGrowth(const Dictionary& d, const Geometry& geometry, 
     if (!geometry.periodic[0]) d.error("name", "waves are measured along x: the domain must be periodic in x");
 }
 
-EntryList InterfaceGrowth::entries() { return {entry::waves, entry::depth, entry::largest, entry::from}; }
+EntryList InterfaceGrowth::entries() { return {entry::waves, entry::depth, entry::largest, entry::from, entry::to}; }
 
 Measurement InterfaceGrowth::operator()(const ParticleView& view)
 {

@@ -19,7 +19,8 @@ const Scalar radius{"radius", units::m, required, positive, "of the solids"},
     contactAngle{"contactAngle", degrees, required,
                  Range{.low = 0, .high = 180, .highIncluded = false}.saying(
                      "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
-                 "of the solids"};
+                 "of the solids"},
+    bridgeParts{"parts", units::none, 1, positive, "bridges over what the scene has of one: 8 of an eighth between planes of symmetry"};
 }
 
 namespace
@@ -49,9 +50,13 @@ double volumeOf(const ParticleView& view, std::size_t phase)
 }
 
 LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d)), angle_(entry::contactAngle(d)), where_(entry::centres.where(d))
+    : phase_(readPhase(d, entry::phase, phases)),
+      radius_(entry::radius(d)),
+      angle_(entry::contactAngle(d)),
+      parts_(entry::bridgeParts(d)),
+      where_(entry::centres.where(d))
 {
-    if (phases.size() != 2) d.error("name", "the bridge is one of liquid in a gas: the scene must have two phases");
+    if (phases.size() > 2) d.error("name", "the bridge is one of liquid in a gas, or of liquid alone: the scene has more than two phases");
     auto centres = entry::centres(d);
     if (centres.size() != 2)
     {
@@ -67,14 +72,14 @@ LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const 
     middle_ = (centres[0] + centres[1]) / 2;
 }
 
-EntryList LiquidBridge::entries() { return {entry::phase, entry::centres, entry::radius, entry::contactAngle}; }
+EntryList LiquidBridge::entries() { return {entry::phase, entry::centres, entry::radius, entry::contactAngle, entry::bridgeParts}; }
 
 CapillaryBridge LiquidBridge::atRest(const ParticleView& view) const
 {
     if (!(surfaceTensionOf(view) > 0)) throw CaseError(where_, "a bridge has surface tension, and constant/phaseProperties gives no sigma");
     try
     {
-        return {view.dimension, radius_, gap_, volumeOf(view, phase_), angle_};
+        return {view.dimension, radius_, gap_, parts_ * volumeOf(view, phase_), angle_};
     }
     catch (const CaseError& e)
     {
@@ -131,6 +136,15 @@ Measurement BridgePressure::operator()(const ParticleView& view) const
         result.note = fmt::format("no particle of the {} is farther than the kernel's support from both interface and walls",
                                   mean[inside].particles > 0 ? "gas" : "bridge");
     return result;
+}
+
+Measurement BridgeForce::operator()(const ParticleView& view) const
+{
+    const double gamma = surfaceTensionOf(view);
+    const auto neck = BridgeNeck(*this)(view), jump = BridgePressure(*this)(view);
+    const double r = neck.value;
+    return {view.dimension == 3 ? std::numbers::pi * r * (2 * gamma - r * jump.value) : 2 * (gamma - r * jump.value),
+            gamma * atRest(view).force(), jump.particles, neck.note.empty() ? jump.note : neck.note};
 }
 
 }

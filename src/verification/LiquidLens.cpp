@@ -1,8 +1,8 @@
 #include "verification/LiquidLens.hpp"
+#include "sampling/SphereFit.hpp"
 #include "sampling/sharedEntries.hpp"
 #include "sampling/surfaceTensionOf.hpp"
 #include "verification/Drop.hpp"
-#include "verification/SphereFit.hpp"
 #include "verification/VolumeFraction.hpp"
 #include <algorithm>
 #include <cmath>

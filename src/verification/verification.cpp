@@ -1,11 +1,13 @@
 #include "verification/verification.hpp"
 #include "sampling/Formulas.hpp"
 #include "sampling/Measurement.hpp"
+#include "verification/CapAngle.hpp"
 #include "verification/CapillaryRise.hpp"
 #include "verification/ColumnGrowth.hpp"
 #include "verification/ContactAngle.hpp"
 #include "verification/Couette.hpp"
 #include "verification/DragFactor.hpp"
+#include "verification/DrainingFilm.hpp"
 #include "verification/DropOscillation.hpp"
 #include "verification/EarthPressure.hpp"
 #include "verification/Hydrostatic.hpp"
@@ -44,6 +46,8 @@ struct All
 
     AddedMeasure laplaceJump{measureType<LaplaceJump>("laplaceJump")};
     AddedMeasure contactAngle{measureType<ContactAngle>("contactAngle")};
+    AddedMeasure capAngle{measureType<CapAngle>("capAngle")};
+    AddedMeasure drainingFilm{measureType<DrainingFilm>("drainingFilm")};
     AddedMeasure dragFactor{measureType<DragFactor>("dragFactor")};
     AddedMeasure dropPeriod{measureType<DropPeriod>("dropPeriod")};
     AddedMeasure dropDecay{measureType<DropDecay>("dropDecay")};
@@ -52,6 +56,7 @@ struct All
     AddedMeasure capillaryRise{measureType<CapillaryRise>("capillaryRise")};
     AddedMeasure bridgeNeck{measureType<BridgeNeck>("bridgeNeck")};
     AddedMeasure bridgePressure{measureType<BridgePressure>("bridgePressure")};
+    AddedMeasure bridgeForce{measureType<BridgeForce>("bridgeForce")};
     AddedMeasure lensAngle{measureType<LensAngle>("lensAngle")};
     AddedMeasure lensRadius{measureType<LensRadius>("lensRadius")};
     AddedMeasure earthPressure{measureType<EarthPressure>("earthPressure")};

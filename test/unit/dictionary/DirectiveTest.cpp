@@ -349,7 +349,7 @@ TEST(DictionaryDirectives, evalMistakes)
         "constant/d:5: #eval \"1/0\": division by zero\n"
         "constant/d:6: #eval \"sqrt(-1)\": the result is not a number\n"
         "constant/d:7: #eval \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: "
-        "dot, mag, vector, "
+        "dot, mag, vector, grad, smooth, "
         "abs, acos, asin, atan, atan2, cbrt, ceil, cos, cosh, degToRad, e, erf, erfc, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, "
         "sin, sinh, sqr, sqrt, tan, tanh.\n"
         "constant/d:8: #eval \"pow(2)\": pow() takes 2 arguments, found 1\n"

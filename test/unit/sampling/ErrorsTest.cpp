@@ -278,8 +278,8 @@ TEST(Errors, unknownWordsAreExplained)
         c.mistakes,
         "system/controlDict:5: name \"planePoisseuille\" is unknown. Did you mean \"planePoiseuille\"? Known name: "
         "planePoiseuille, twoLayerPoiseuille, couette, taylorGreen, hydrostatic, ritter, suspensionChannel, rotatingSquarePatch, laplaceJump, contactAngle, "
-        "dragFactor, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
-        "bridgeNeck, bridgePressure, lensAngle, lensRadius, earthPressure, overburden, wallDropTime.");
+        "capAngle, drainingFilm, dragFactor, dropPeriod, dropDecay, interfaceGrowth, columnGrowth, capillaryRise, "
+        "bridgeNeck, bridgePressure, bridgeForce, lensAngle, lensRadius, earthPressure, overburden, wallDropTime.");
 }
 
 TEST(Errors, unknownFieldsAreExplainedWhenTheyAreFirstSeen)

@@ -50,7 +50,7 @@ TEST(FunctionObjects, unknownTypesAndUnusedEntriesAreErrorsAllAtOnce)
     EXPECT_EQ(
         f.mistakes(),
         "system/controlDict:3: type \"probs\" is unknown. Did you mean \"probes\"? Known type: probes, profile, conservation, "
-        "bedHydrodynamics, errors, filling, reduction, surfaceIntegral, volFieldValue, forces.\n"
+        "bedHydrodynamics, errors, filling, reduction, contour, surfaceIntegral, volFieldValue, forces.\n"
         "system/controlDict:8: entry \"angularMoment\" is not used here. Did you mean \"angularMomentum\"? Known entries: libs, type, "
         "executeControl, executeInterval, angularMomentum, origin.\n"
         "system/controlDict:10: c must be a dictionary: c { type ...; }\n"
@@ -219,6 +219,47 @@ TEST(Profile, samplesALine)
     ASSERT_EQ(rows.size(), 5u);
     EXPECT_NEAR(std::stod(rows[4][0]), 0.8, 1e-15);
     EXPECT_NEAR(std::stod(rows[1][1]), 0.9, 1e-12);
+}
+
+// Expressions of linear fields are linear, and interpolated to round-off.
+TEST(Profile, samplesExpressions)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setP([](Vector<3> x) { return 3 * x.y; });
+    f.run(
+        particles,
+        "line { type profile; start (0.5 0.1 0); end (0.5 0.9 0); nPoints 5; fields (p); expressions { head \"2*$p + $x\"; slope \"grad($p)\"; } }");
+    EXPECT_TRUE(
+        f.folder.read("postProcessing/line/0/line_p_head_slope.xy").starts_with("# distance\tp\thead\tslope_x\tslope_y\tslope_z\n"));
+    const auto row = f.folder.rows("postProcessing/line/0/line_p_head_slope.xy").at(1);
+    EXPECT_NEAR(std::stod(row[2]), 2.3, 1e-12);
+    EXPECT_NEAR(std::stod(row[3]), 0, 1e-11);
+    EXPECT_NEAR(std::stod(row[4]), 3, 1e-11);
+    Functions slabs;
+    slabs.run(particles, "cells { type profile; start (0 0 0); end (0 1 0); bins 2; expressions { twice \"2*$p\"; } }");
+    EXPECT_NEAR(std::stod(slabs.folder.rows("postProcessing/cells/0/bins_twice.xy").at(0).at(1)), 1.5, 1e-12);
+}
+
+TEST(Probes, sampleExpressions)
+{
+    Functions f;
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
+    particles.setU([](Vector<3> x) { return Vector<3>{4 * x.x, 0, 0}; });
+    f.run(particles, "points { type probes; expressions { half \"$U/2\"; sum \"$U_x + $y\"; } probeLocations ((0.5 0.25 0)); }");
+    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/points/0/half").at(0).at(1).substr(1)), 1, 1e-12);
+    EXPECT_NEAR(std::stod(f.folder.rows("postProcessing/points/0/sum").at(0).at(1)), 2.25, 1e-12);
+}
+
+TEST(Probes, refuseExpressionsThatAreNone)
+{
+    Functions f;
+    f.make(Particles(2, {0, 0, 0}, {1, 1, 0}, 0.5),
+           "points\n{\n    type probes;\n    fields (p);\n    expressions { p \"$p\"; a \"$p +\"; }\n    probeLocations ((0 0 0));\n}\n"
+           "none\n{\n    type probes;\n    probeLocations ((0 0 0));\n}\n");
+    for (const char* part : {"system/controlDict:5: p is the name of a field that is sampled as well: give the expression another one",
+                             "a \"$p +\": a value is missing at the end", "fields"})
+        EXPECT_NE(f.mistakes().find(part), std::string::npos) << part << "\nin\n" << f.mistakes();
 }
 
 TEST(Profile, binsAreVolumeWeightedMeans)

@@ -1,6 +1,5 @@
 /// Numbers that a case makes of expressions: the function object `reduction`, and `errors` of them.
-#include "Particles.hpp"
-#include "base/CaseError.hpp"
+#include "Observed.hpp"
 #include "geometry/Plane.hpp"
 #include "sampling/Errors.hpp"
 #include "sampling/Reduction.hpp"
@@ -12,48 +11,6 @@ using namespace sph;
 
 namespace
 {
-
-/// One function object in a case of its own.
-template<class Object> struct Observed
-{
-    TemporaryCase folder;
-    Case theCase{folder.folder()};
-    RunTime time{theCase};
-
-    std::string mistakesIn(const Particles& particles, const std::string& text)
-    {
-        made(particles, text);
-        return errorsOf(theCase.diagnostics());
-    }
-    std::unique_ptr<Object> made(const Particles& particles, const std::string& text)
-    {
-        const auto d = Dictionary::parse(text, "system/controlDict", theCase.sharedDiagnostics());
-        auto object = std::make_unique<Object>(d, FunctionContext{"own", particles.geometry, particles.phases, outputOf(time)});
-        d.reportUnused();
-        return object;
-    }
-    std::vector<std::vector<std::string>> rowsOf(const Particles& particles, const std::string& text)
-    {
-        const auto object = made(particles, text);
-        EXPECT_EQ(errorsOf(theCase.diagnostics()), "");
-        object->execute(particles.view());
-        return folder.rows("postProcessing/own/0/" + Object::table().file);
-    }
-    std::string refusalOf(const Particles& particles, const std::string& text)
-    {
-        const auto object = made(particles, text);
-        EXPECT_EQ(errorsOf(theCase.diagnostics()), "");
-        try
-        {
-            object->execute(particles.view());
-        }
-        catch (const CaseError& error)
-        {
-            return error.what();
-        }
-        return "";
-    }
-};
 
 /// The values of the row that `numbers { .. }` makes of the particles, without its time.
 std::vector<double> numbersOf(const Particles& particles, const std::string& numbers)
@@ -133,6 +90,61 @@ TEST(Numbers, knowParticlesBesideAWall)
     Observed<Reduction> object;
     EXPECT_EQ(object.mistakesIn(particles, "numbers { p { operation mean; value \"$p\"; wall flor; } }"),
               "system/controlDict:1: wall \"flor\" is unknown. Did you mean \"floor\"? Known wall: floor, left.");
+}
+
+// Gradients are exact for linear fields, at faces and corners too; phases, walls and what is smoothed are known by name.
+TEST(Numbers, knowGradientsPhasesAndWalls)
+{
+    auto particles = square();
+    auto& g = particles.geometry;
+    g.walls.resize(1);
+    g.walls[0].name = "floor";
+    g.walls[0].contactAngle = 60;
+    g.patches = {{std::make_shared<Plane>(Vector<3>{0, 0, 0}, Vector<3>{0, 1, 0}), 0}};
+    const auto n = numbersOf(particles, R"n(
+        steepest    { operation max; value "mag(grad($p) - vector(0, 10, 0))"; }
+        divergence  { operation mean; value "dot(grad($U_x), vector(1, 0, 0)) + dot(grad($U_y), vector(0, 1, 0))"; }
+        ofWater     { operation sum; value "$water*$volume"; }
+        ofAir       { operation sum; value "$air*$volume"; }
+        alone       { operation sum; value "$volume"; phase water; where "smooth($water) > 1 - 1e-12"; }
+        near        { operation max; value "$y"; where "${distance(floor)} < 0.12"; }
+        angle       { value "${contactAngle(floor)}"; }
+    )n");
+    EXPECT_NEAR(n.at(0), 0, 1e-11);
+    EXPECT_NEAR(n.at(1), -1, 1e-12);
+    EXPECT_NEAR(n.at(2), 0.4, 1e-12);
+    EXPECT_NEAR(n.at(3), 0.6, 1e-12);
+    EXPECT_NEAR(n.at(4), 0.2, 1e-12); // two rows see no air within three spacings
+    EXPECT_DOUBLE_EQ(n.at(5), 0.05);
+    EXPECT_EQ(n.at(6), 60);
+    Observed<Reduction> object;
+    EXPECT_EQ(object.refusalOf(particles, "numbers { a { operation max; value \"mag(grad($U))\"; } }"),
+              "system/controlDict:1: \"mag(grad($U))\": $U is a vector: take a component, $U_x");
+    EXPECT_EQ(object.refusalOf(particles, "numbers { a { operation max; value \"mag(grad($t))\"; } }"),
+              "system/controlDict:1: \"mag(grad($t))\": $t is no field: it has one value for all particles");
+    EXPECT_EQ(object.refusalOf(particles, "numbers { a { operation max; value \"${distance(flor)}\"; } }"),
+              "system/controlDict:1: \"${distance(flor)}\": wall \"flor\" is unknown. Did you mean \"floor\"? Known walls: floor.");
+    Observed<Reduction> other;
+    EXPECT_EQ(other.mistakesIn(particles, "numbers { a { operation max; value \"grad(2*$p)\"; } }"),
+              "system/controlDict:1: value \"grad(2*$p)\": grad() takes the name of a field: grad($p)");
+}
+
+// Of second order in the interior: a quadratic field on a lattice, whose symmetry makes its gradient exact there, and a cubic one.
+TEST(Numbers, gradientsConverge)
+{
+    double before = 0;
+    for (const double spacing : {0.1, 0.05})
+    {
+        Particles particles(2, {0, 0, 0}, {1, 1, 0}, spacing);
+        particles.setP([](Vector<3> x) { return x.x * x.x * x.x; });
+        const double error =
+            numbersOf(
+                particles,
+                "e { operation max; value \"abs(dot(grad($p), vector(1, 0, 0)) - 3*$x^2)\"; region { min (0.4 0.4 0); max (0.6 0.6 0); } }")
+                .at(0);
+        if (before > 0) { EXPECT_NEAR(before / error, 4, 0.4); }
+        before = error;
+    }
 }
 
 TEST(Numbers, ofNoParticleAreNaN)
@@ -329,9 +341,9 @@ TEST(Numbers, mistakesNameTheirLine)
         "system/controlDict:4: value \"$p + \": a value is missing at the end\n"
         "system/controlDict:5: phase \"watr\" is unknown. Did you mean \"water\"? Known phase: water, air.\n"
         "system/controlDict:6: value \"vector(1, 2, 3)\": it gives a vector: take a component, or mag() of it\n"
-        "system/controlDict:7: operation \"median\" is unknown. Did you mean \"mean\"? Known operation: formula, sum, mean, min, max, percentile, timeMean, arrival, fit.\n"
+        "system/controlDict:7: operation \"median\" is unknown. Did you mean \"mean\"? Known operation: formula, sum, mean, min, max, percentile, timeMean, arrival, fit, contour.\n"
         "system/controlDict:8: f must be a dictionary: f { operation mean; value \"$p\"; }\n"
-        "system/controlDict:9: value \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: dot, mag, vector, abs, acos, asin, atan, atan2, cbrt, ceil, "
+        "system/controlDict:9: value \"sqt(2)\": \"sqt\" is unknown (a macro is written $sqt). Did you mean \"sqr\"? Known functions: dot, mag, vector, grad, smooth, abs, acos, asin, atan, atan2, cbrt, ceil, "
         "cos, cosh, degToRad, e, erf, erfc, exp, floor, log, log10, max, min, pi, pow, radToDeg, round, sin, sinh, sqr, sqrt, tan, tanh.\n"
         "system/controlDict:9: entry \"wall\" is not used here. Known entries: operation, value.\n7 errors");
 }
@@ -340,9 +352,10 @@ TEST(Numbers, mistakesNameTheirLine)
 TEST(Numbers, unknownNamesAreExplainedWhenTheyAreFirstSeen)
 {
     Observed<Reduction> object;
-    EXPECT_EQ(object.refusalOf(square(), "numbers\n{\n    a { operation max; value \"$pp\"; }\n}"),
-              "system/controlDict:3: \"$pp\": \"$pp\" is unknown. Known names: U, U_x, U_y, U_z, p, x, y, z, t, mass, volume, restDensity, "
-              "soundSpeed, viscosity, spacing, support, deltaT, g.");
+    EXPECT_EQ(
+        object.refusalOf(square(), "numbers\n{\n    a { operation max; value \"$pp\"; }\n}"),
+        "system/controlDict:3: \"$pp\": \"$pp\" is unknown. Known names: U, U_x, U_y, U_z, p, x, y, z, t, mass, volume, coverage, distance, restDensity, "
+        "soundSpeed, viscosity, spacing, support, deltaT, g, water, air.");
     EXPECT_EQ(object.refusalOf(square(), "numbers { a { value \"2*$b\"; } b { value 1; } }"),
               "system/controlDict:1: \"2*$b\": $b stands behind it: numbers are found in the order in which they are given");
     EXPECT_EQ(object.refusalOf(square(), "numbers { a { operation max; value \"2*$U\"; } }"),

@@ -118,6 +118,14 @@ TEST(LiquidBridge, OfParticlesHasItsNeckAndPressure)
         EXPECT_NEAR(pressure.value, 3, 1e-12) << dimension;
         EXPECT_NEAR(pressure.reference, 0.5 * exact.curvature(), 1e-12);
         EXPECT_GT(pressure.particles, 0);
+        const auto force = measure(particles, "bridgeForce");
+        const double r = neck.value;
+        EXPECT_NEAR(force.value, dimension == 3 ? 2 * std::numbers::pi * r * 0.5 - std::numbers::pi * r * r * 3 : 2 * 0.5 - 2 * r * 3,
+                    1e-11);
+        EXPECT_NEAR(force.reference, 0.5 * exact.force(), 1e-12);
+        // Of an eighth, or of the liquid alone, the reference is known.
+        const CapillaryBridge larger(dimension, 1, 1, 1.5 * volume, 60);
+        EXPECT_NEAR(measure(particles, "bridgeNeck", parameters + " parts 1.5;").reference, larger.neck(), 1e-9);
     }
 }
 

@@ -1,9 +1,10 @@
 #include "sampling/Measurement.hpp"
 #include "Particles.hpp"
+#include "base/CaseError.hpp"
 #include "geometry/Cylinder.hpp"
 #include "geometry/Plane.hpp"
 #include "geometry/Sphere.hpp"
-#include "verification/SphereFit.hpp"
+#include "sampling/SphereFit.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -172,6 +173,54 @@ TEST(ContactAngle, saysWhyItCannotMeasure)
     onCylinder.geometry.patches = {{std::make_shared<Cylinder>(Vector<3>{0, -20, 0}, Vector<3>{1, 0, 0}, 20, FluidSide::outside), 0}};
     EXPECT_EQ(measure(onCylinder, "contactAngle", "").note,
               "on a wall that is not equally curved all around a drop is no part of a sphere");
+}
+
+// Caps cut out of a lattice, 16 spacings high, on a plane and on a sphere: moments average over the staircase.
+TEST(CapAngle, isRecoveredFromTheMomentsOfCaps)
+{
+    for (const double degrees : {60.0, 90.0, 120.0})
+        for (const char* by : {"height", "width"})
+        {
+            const auto m = measure(cap(3, degrees, 1e-4, 16e-4, true), "capAngle", std::string("origin (3e-5 0 2e-5); by ") + by + ";");
+            EXPECT_NEAR(m.value, degrees, 0.5) << by;
+            EXPECT_EQ(m.reference, 77);
+        }
+    const double R = 12, solid = 12, theta = pi / 3, away = std::sqrt(sqr(R) + sqr(solid) - 2 * R * solid * std::cos(theta));
+    Particles onSphere(3, {-14, -2, -14}, {14, 28, 14}, 1);
+    addFloor(onSphere.geometry, 60);
+    onSphere.geometry.patches = {{std::make_shared<Sphere>(Vector<3>{}, solid, FluidSide::outside), 0}};
+    onSphere.phases = {"water", "air"};
+    onSphere.setPhase([&](Vector<3> x) { return mag(x) > solid && mag(x - Vector<3>{0, away, 0}) < R ? 0 : 1; });
+    for (const char* by : {"height", "width"})
+        EXPECT_NEAR(measure(onSphere, "capAngle", std::string("origin (0 12 0); by ") + by + ";").value, 60, 1) << by;
+}
+
+TEST(CapAngle, needsAPlaneOrTheOutsideOfASphere)
+{
+    auto particles = cap(3, 60, 1, 8, true);
+    particles.geometry.patches = {{std::make_shared<Cylinder>(Vector<3>{0, -20, 0}, Vector<3>{1, 0, 0}, 20, FluidSide::outside), 0}};
+    EXPECT_THROW(measure(particles, "capAngle", "by height;"), CaseError);
+}
+
+// A thin film near the top, h << a: h_0/sqrt(1 + 2 g h_0^2 t/(3 nu a)), to the square of the angle and the first power of h/a.
+TEST(DrainingFilm, followsTheThinFilmNearTheTop)
+{
+    const double a = 1, spacing = 0.005, h = 4 * spacing;
+    Particles film(3, {-0.1, -0.01, 0.98}, {0.1, 0.01, 1.04}, spacing);
+    film.phases = {"water", "air"};
+    film.g = {0, 0, -2};
+    film.setPhase([&](Vector<3> x) { return std::hypot(x.x, x.z) > a && std::hypot(x.x, x.z) < a + h ? 0 : 1; });
+    auto diagnostics = std::make_shared<Diagnostics>();
+    const auto d = Dictionary::parse("axis (0 1 0); radius 1; within 5;", "system/controlDict", diagnostics);
+    const auto m = readMeasure("drainingFilm", d, film.geometry, film.phases, ".");
+    const auto first = m(film.view());
+    EXPECT_NEAR(first.value, h, 0.02 * h);
+    EXPECT_NEAR(first.reference, first.value, 1e-12);
+    for (const double t : {0.001, 0.003}) // nu = 1e-6: the film is half as thick after 0.006 s
+    {
+        film.time = t;
+        EXPECT_NEAR(m(film.view()).reference, first.value / std::sqrt(1 + 2 * 2 * sqr(first.value) * t / (3 * 1e-6 * a)), 0.02 * h) << t;
+    }
 }
 
 TEST(LaplaceJump, isTheDifferenceOfTheMeansDeepInsideAndFarOutside)
