@@ -1,5 +1,6 @@
 #include "figures/FigurePlan.hpp"
 #include "base/csv.hpp"
+#include "dictionary/DictionaryText.hpp"
 #include <algorithm>
 #include <fmt/format.h>
 #include <regex>
@@ -13,7 +14,7 @@ const SubDictionary tables{"tables", required, "tables of figures, in the order 
     numbers{"numbers", notGiven, "numbers of a run that have no column of their own, for what stands below them"},
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
 const FreeName table{"<table>", "dictionary", "a table, called by this name"}, number{"<number>", "dictionary", "a number, $<number> below it"},
-    column{"<column>", "word or number", "what the column must hold"},
+    column{"<column>", "word or number", "what the column must hold, or several in round brackets"},
     constant{"<constant>", "number", "number of this run, $<constant> in its figures; of the other runs it has no value"},
     run{"<run>", "dictionary", "a run"};
 const Choice type{"type",
@@ -28,7 +29,7 @@ const Text against{"against", required, "what the figures are held against: the 
     nameOfFigure{"name", required, "name of the figure with its unit: \"largest speed [m/s]\""},
     format{"format", "%.4g", "how the number is written, as printf has it"},
     value{"value", byScene("the value of the pattern or entry"), "expression of columns, numbers and constants by name"},
-    where{"where", byScene("all rows"), "condition on the columns of a row"}, of{"of", required, "expression of a row"},
+    where{"where", byScene("all rows"), "condition on the columns of a row"}, of{"of", required, "expression of a row; $line is its number from 1"},
     table_{"table", byScene("that of the table, or none"),
            "whose columns are meant: a function object (`conservation`), one of its tables or start times (\"bottom/p\", \"errors/0.5\"), or a path in the folder of "
            "the run; <1> in it is the first of the run's words, in a look-up <column> the cell of a row"},
@@ -69,11 +70,15 @@ const Choice operation{"operation",
 namespace
 {
 
-std::map<std::string, std::string> readSelection(const Dictionary& d)
+Selection readSelection(const Dictionary& d)
 {
-    std::map<std::string, std::string> wanted;
+    Selection wanted;
     const auto select = entry::select(d);
-    for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);
+    for (const auto& key : select.keys())
+    {
+        const auto text = valueText(select, key);
+        wanted[key] = text.starts_with('(') ? select.get<std::vector<std::string>>(key) : std::vector{select.get<std::string>(key)};
+    }
     return wanted;
 }
 
@@ -138,6 +143,8 @@ std::vector<PlannedRunFolder> readRuns(const Dictionary& d)
                 std::string byWords;
                 for (std::size_t k = 1; k <= words.size(); ++k) byWords += fmt::format("{}<{}>", k == 1 ? "" : " ", k);
                 if (words.empty()) words = {folder == "." ? "base" : std::filesystem::path(folder).filename().string()};
+                // A name without words of its own is what <1> stands for.
+                if (byWords.empty() && !name.empty() && name.find('<') == name.npos) words = {name};
                 all.push_back({!name.empty() ? name : byWords.empty() ? "<1>" : byWords, folder, words, {}});
             }
         }
@@ -188,10 +195,10 @@ TablePlan readTable(const Dictionary& d)
 {
     TablePlan plan(d);
     plan.name = d.keyword();
-    plan.against = entry::against(d);
-    if (plan.against.find_first_of(",\n") != plan.against.npos) entry::against.error(d, "a comma parts the columns of run/results.csv");
-    plan.isSweep = entry::type(d) == "workPrecision";
     plan.recorded = entry::recorded(d);
+    plan.against = entry::against(d);
+    if (plan.recorded && plan.against.find_first_of(",\n") != plan.against.npos) entry::against.error(d, "a comma parts the columns of run/results.csv");
+    plan.isSweep = entry::type(d) == "workPrecision";
     if (plan.isSweep)
     {
         plan.runs.push_back({"", entry::folder(d, "."), {}, {}});

@@ -30,11 +30,14 @@
 namespace sph
 {
 
+/// The words or numbers that a column may hold, by its name.
+using Selection = std::map<std::string, std::vector<std::string>>;
+
 /// A column that is looked up in another table: the value there at the place where `key` comes to `at`.
 struct LookUpPlan
 {
     std::string name, table, key, at, value;
-    std::map<std::string, std::string> select;
+    Selection select;
     bool exact = false;
     Dictionary dict;
 };
@@ -44,7 +47,7 @@ struct NumberPlan
 {
     explicit NumberPlan(Dictionary d) : dict(std::move(d)) {}
     std::string name, operation, value, where, table, log, pattern, file, entry;
-    std::map<std::string, std::string> select;
+    Selection select;
     std::vector<std::string> columns;
     std::vector<LookUpPlan> lookUps;
     Dictionary dict;
@@ -66,7 +69,7 @@ struct LinesPlan
     explicit LinesPlan(Dictionary d) : dict(std::move(d)) {}
     std::string name, of, table, where;
     double every = 0;
-    std::map<std::string, std::string> select;
+    Selection select;
     Dictionary dict;
 };
 

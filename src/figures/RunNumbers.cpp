@@ -120,7 +120,7 @@ RunTable RunNumbers::logged(const NumberPlan& plan) const
     std::regex pattern;
     try
     {
-        pattern.assign(plan.pattern);
+        pattern.assign(filledName(plan.pattern, words_));
     }
     catch (const std::regex_error& mistake)
     {
@@ -346,7 +346,9 @@ std::vector<std::pair<std::size_t, double>> RunNumbers::lines(const LinesPlan& p
     auto rows = of.select(plan.select);
     Columns none;
     keepWhere(plan.where, plan.dict, of, rows, none);
-    const auto places = evaluate(plan.of, plan.dict, "of", &of, rows, {});
+    std::vector<double> numbered(rows.size());
+    std::iota(numbered.begin(), numbered.end(), 1);
+    const auto places = evaluate(plan.of, plan.dict, "of", &of, rows, {{"line", numbered}});
     std::vector<std::pair<std::size_t, double>> lines;
     double next = places.empty() ? 0 : std::min(places.front(), 0.0);
     for (std::size_t k = 0; k < rows.size(); ++k)

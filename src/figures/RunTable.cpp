@@ -106,13 +106,13 @@ std::vector<std::size_t> RunTable::allRows() const
     return rows;
 }
 
-std::vector<std::size_t> RunTable::select(const std::map<std::string, std::string>& wanted) const
+std::vector<std::size_t> RunTable::select(const std::map<std::string, std::vector<std::string>>& wanted) const
 {
     auto rows = allRows();
-    for (const auto& [name, word] : wanted)
+    for (const auto& [name, words] : wanted)
     {
         const auto c = column(name);
-        std::erase_if(rows, [&](std::size_t row) { return !sameCell(rows_[row][c], word); });
+        std::erase_if(rows, [&](std::size_t row) { return std::ranges::none_of(words, [&](const auto& word) { return sameCell(rows_[row][c], word); }); });
     }
     return rows;
 }

@@ -34,8 +34,8 @@ public:
     const std::vector<std::string>& names() const { return names_; }
     std::size_t size() const { return rows_.size(); }
     std::vector<std::size_t> allRows() const;
-    /// Those of the rows whose columns are these words or numbers. Throws CaseError naming the columns where one is not there.
-    std::vector<std::size_t> select(const std::map<std::string, std::string>& wanted) const;
+    /// Those of the rows whose columns hold one of these words or numbers each. Throws CaseError naming the columns where one is not there.
+    std::vector<std::size_t> select(const std::map<std::string, std::vector<std::string>>& wanted) const;
     const std::string& cell(std::size_t row, const std::string& name) const;
 
     /// A column as an expression asks for it, of some rows.

@@ -4,6 +4,8 @@ set output 'gasAtRest.png'
 set logscale y
 set datafile separator tab
 set datafile separator tab
+set datafile separator tab
+set datafile separator tab
 set format y '10^{%T}'
 set xlabel 't [s]'
 set ylabel 'kinetic energy [J]'

@@ -17,14 +17,15 @@ struct Options
 {
     std::vector<std::string> tables;
     bool unrecorded = false;
-    std::string value, table, format = "%.6g";
+    std::string value, table, where, operation = "last", format = "%.6g";
 };
 
 /// One number of the case itself, for scripts.
 int printValue(const std::filesystem::path& path, const Options& options)
 {
     const auto mistakes = std::make_shared<sph::Diagnostics>();
-    const auto text = fmt::format("value \"{}\"; table \"{}\"; name value; format \"{}\";", options.value, options.table, options.format);
+    const auto text = fmt::format("name value; value \"{}\"; table \"{}\"; where \"{}\"; operation {}; format \"{}\";", options.value, options.table, options.where,
+                                  options.operation, options.format);
     const auto figure = sph::readOneFigure(sph::Dictionary::parse(text, "the command line", mistakes));
     mistakes->throwIfAny();
     fmt::print("{}\n", sph::makeFigure(sph::Case(path).folder(), figure));
@@ -72,6 +73,8 @@ int main(int argc, char** argv)
             auto* value = app.add_option("--value", options.value, "Print this expression alone: of numbers, of what the log of the case tells, of columns of a table at its last row");
             value->type_name("<expression>");
             app.add_option("--table", options.table, "The table: a function object, or a file of the case")->type_name("<name>")->needs(value);
+            app.add_option("--where", options.where, "Condition on the rows of the table")->type_name("<expression>")->needs(value);
+            app.add_option("--operation", options.operation, "What is made of the rows: last (default), first, min, max, mean, sum ..")->type_name("<word>")->needs(value);
             app.add_option("--format", options.format, "How it is written, as printf has it (default: %.6g)")->type_name("<format>")->needs(value);
             app.add_flag("--noRecord", options.unrecorded, "Leave run/results.csv alone");
         },
