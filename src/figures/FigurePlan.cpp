@@ -13,7 +13,8 @@ namespace entry
 const SubDictionary tables{"tables", required, "tables of figures, in the order in which they are printed"},
     numbers{"numbers", notGiven, "numbers of a run that have no column of their own, for what stands below them"},
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
-const FreeName table{"<table>", "dictionary", "a table, called by this name"}, number{"<number>", "dictionary", "a number, $<number> below it"},
+const FreeName table{"<table>", "dictionary", "a table, called by this name"},
+    number{"<number>", "dictionary", "a number, $<number> below it"},
     column{"<column>", "word or number", "what the column must hold, or several in round brackets"},
     constant{"<constant>", "number", "number of this run, $<constant> in its figures; of the other runs it has no value"},
     run{"<run>", "dictionary", "a run"};
@@ -22,34 +23,41 @@ const Choice type{"type",
                    {"workPrecision", "errors, orders and costs of a sweep, as workPrecision has written them"}},
                   "figures",
                   "what the table shows"};
-const Text against{"against", required, "what the figures are held against: the head of the table, and the column `against` of run/results.csv"},
-    nameOfRun{"name", byScene("the words in curly brackets, or the last folder"), "name of a run; <1> stands for the first of the words in curly brackets, or for the last folder"},
+const Text against{"against", required,
+                   "what the figures are held against: the head of the table, and the column `against` of run/results.csv"},
+    nameOfRun{"name", byScene("the words in curly brackets, or the last folder"),
+              "name of a run; <1> stands for the first of the words in curly brackets, or for the last folder"},
     folder{"folder", byScene("run/<name>"), "folder of the run"},
     nameOfLine{"name", required, "name of a line, with a format for the number `of`: \"t = %.1f\""},
     nameOfFigure{"name", required, "name of the figure with its unit: \"largest speed [m/s]\""},
     format{"format", "%.4g", "how the number is written, as printf has it"},
     value{"value", byScene("the value of the pattern or entry"), "expression of columns, numbers and constants by name"},
-    where{"where", byScene("all rows"), "condition on the columns of a row"}, of{"of", required, "expression of a row; $line is its number from 1"},
-    table_{"table", byScene("that of the table, or none"),
-           "whose columns are meant: a function object (`conservation`), one of its tables or start times (\"bottom/p\", \"errors/0.5\"), or a path in the folder of "
-           "the run; <1> in it is the first of the run's words, in a look-up <column> the cell of a row"},
+    where{"where", byScene("all rows"), "condition on the columns of a row"},
+    of{"of", required, "expression of a row; $line is its number from 1"},
+    table_{
+        "table", byScene("that of the table, or none"),
+        "whose columns are meant: a function object (`conservation`), one of its tables or start times (\"bottom/p\", \"errors/0.5\"), or a path in the folder of "
+        "the run; <1> in it is the first of the run's words, in a look-up <column> the cell of a row"},
     pattern{"pattern", notGiven, "regular expression; each line of the log that has it is a row, each of its groups a column"},
     key{"key", required, "expression of the columns of the other table"}, at{"at", required, "expression of the columns of this one"},
     entry_{"entry", notGiven, "entry of `dictionary`, \"gas.mu\""};
-const ListOf<std::string> runs{"runs", std::vector<std::string>{"."},
-                               "folders below run, paths of the case, and several at once by words in curly brackets, \"run/workPrecision/{a b}/{8 16}\"; {*} stands for all that are there"},
+const ListOf<std::string> runs{
+    "runs", std::vector<std::string>{"."},
+    "folders below run, paths of the case, and several at once by words in curly brackets, \"run/workPrecision/{a b}/{8 16}\"; {*} stands for all that are there"},
     columns{"columns", std::vector<std::string>{"value"}, "names of the groups of the pattern"};
-const DictionaryList figures{"figures", required, "the columns"}, runsByName{"named", notGiven, "runs with a name or constants of their own, behind those of `runs`"},
+const DictionaryList figures{"figures", required, "the columns"},
+    runsByName{"named", notGiven, "runs with a name or constants of their own, behind those of `runs`"},
     lookUps{"lookUps", notGiven, "columns that come from other tables; a row for which they have none is left out"};
 const SubDictionary lines{"lines", notGiven, "a line for each row of a table, in place of one for each run"};
-const Text log{"log", "sphFoamLike", "log that the pattern is sought in: log.<name>, or a path from the run's folder, in which * stands for any folder"};
-const Word dictionary{"dictionary", notGiven, "dictionary of the run"},
-    nameOfLookUp{"name", required, "of the column"};
+const Text log{"log", "sphFoamLike",
+               "log that the pattern is sought in: log.<name>, or a path from the run's folder, in which * stands for any folder"};
+const Word dictionary{"dictionary", notGiven, "dictionary of the run"}, nameOfLookUp{"name", required, "of the column"};
 const Text unit{"unit", "%", "of the errors of a sweep: % of the reference, or another unit for errors as they are"};
 const Scalar every{"every", units::none, 0, nonNegative, "rows whose `of` is a multiple of this or the first above it; 0: all rows"};
 const Switch recorded{"record", true, "append the figures to run/results.csv"};
 const Choice match{"match",
-                   {{"linear", "between two rows that follow one another, the first that have it between them"}, {"exact", "the next row that has it to 1e-8 of itself"}},
+                   {{"linear", "between two rows that follow one another, the first that have it between them"},
+                    {"exact", "the next row that has it to 1e-8 of itself"}},
                    "linear",
                    "how `key` comes to `at`"};
 const Choice operation{"operation",
@@ -100,8 +108,8 @@ NumberPlan readNumber(const Dictionary& d, const std::string& table)
     plan.where = entry::where(d, "");
     plan.select = readSelection(d);
     for (const auto& l : entry::lookUps(d))
-        plan.lookUps.push_back({entry::nameOfLookUp(l), entry::table_.needed(l), entry::key(l), entry::at(l), entry::value.needed(l), readSelection(l),
-                                entry::match(l) == "exact", l});
+        plan.lookUps.push_back({entry::nameOfLookUp(l), entry::table_.needed(l), entry::key(l), entry::at(l), entry::value.needed(l),
+                                readSelection(l), entry::match(l) == "exact", l});
     return plan;
 }
 
@@ -125,10 +133,7 @@ NumberPlan readFigure(const Dictionary& d, const std::string& table)
 }
 
 /// "rest" is run/rest, a path or pattern as it stands.
-std::string folderOf(const std::string& text)
-{
-    return text == "." || text.find('/') != text.npos ? text : "run/" + text;
-}
+std::string folderOf(const std::string& text) { return text == "." || text.find('/') != text.npos ? text : "run/" + text; }
 
 std::vector<PlannedRunFolder> readRuns(const Dictionary& d)
 {
@@ -161,14 +166,16 @@ std::vector<PlannedRunFolder> readRuns(const Dictionary& d)
         const auto first = all.size();
         // One without a keyword is called by its number.
         const bool hasKeyword = n.keyword() != std::to_string(k);
-        add(n, entry::folder, hasKeyword ? entry::folder(n, n.keyword()) : entry::folder.needed(n), entry::nameOfRun(n, hasKeyword ? n.keyword() : ""));
+        add(n, entry::folder, hasKeyword ? entry::folder(n, n.keyword()) : entry::folder.needed(n),
+            entry::nameOfRun(n, hasKeyword ? n.keyword() : ""));
         std::map<std::string, double> constants;
         for (const auto& key : n.keys())
             if (key != "name" && key != "folder") constants[key] = n.get<double>(key);
         for (auto run = first; run < all.size(); ++run) all[run].constants = constants;
     }
     for (const auto& run : all)
-        if (run.name.find_first_of(",\n") != run.name.npos) d.error("runs", fmt::format("\"{}\": a comma parts the columns of run/results.csv", run.name));
+        if (run.name.find_first_of(",\n") != run.name.npos)
+            d.error("runs", fmt::format("\"{}\": a comma parts the columns of run/results.csv", run.name));
     // What one run has all have: a run without it has no such value.
     std::map<std::string, double> names;
     for (const auto& run : all)
@@ -187,7 +194,8 @@ LinesPlan readLines(const Dictionary& d)
     plan.every = entry::every(d);
     plan.select = readSelection(d);
     static const std::regex oneFormat("[^%]*%[-+ #0]*[0-9]*(\\.[0-9]+)?[defgEG][^%]*");
-    if (!std::regex_match(plan.name, oneFormat)) entry::nameOfLine.error(d, fmt::format("\"{}\" has no format of one number: \"t = %.1f\"", plan.name));
+    if (!std::regex_match(plan.name, oneFormat))
+        entry::nameOfLine.error(d, fmt::format("\"{}\" has no format of one number: \"t = %.1f\"", plan.name));
     return plan;
 }
 
@@ -197,7 +205,8 @@ TablePlan readTable(const Dictionary& d)
     plan.name = d.keyword();
     plan.recorded = entry::recorded(d);
     plan.against = entry::against(d);
-    if (plan.recorded && plan.against.find_first_of(",\n") != plan.against.npos) entry::against.error(d, "a comma parts the columns of run/results.csv");
+    if (plan.recorded && plan.against.find_first_of(",\n") != plan.against.npos)
+        entry::against.error(d, "a comma parts the columns of run/results.csv");
     plan.isSweep = entry::type(d) == "workPrecision";
     if (plan.isSweep)
     {
@@ -241,7 +250,8 @@ std::string filledName(std::string name, const std::vector<std::string>& words)
     for (std::size_t k = 0; k < words.size(); ++k)
     {
         const auto mark = fmt::format("<{}>", k + 1);
-        for (auto at = name.find(mark); at != name.npos; at = name.find(mark, at + words[k].size())) name.replace(at, mark.size(), words[k]);
+        for (auto at = name.find(mark); at != name.npos; at = name.find(mark, at + words[k].size()))
+            name.replace(at, mark.size(), words[k]);
     }
     return name;
 }
@@ -261,7 +271,8 @@ std::vector<PlannedRunFolder> foldersOf(const PlannedRunFolder& run, const std::
         std::vector<std::string> names;
         std::error_code none;
         for (const auto& entry : std::filesystem::directory_iterator(caseFolder / above, none))
-            if (entry.is_directory(none) && !entry.path().filename().string().starts_with('.')) names.push_back(entry.path().filename().string());
+            if (entry.is_directory(none) && !entry.path().filename().string().starts_with('.'))
+                names.push_back(entry.path().filename().string());
         std::ranges::sort(names, {}, [](const std::string& name) { return std::pair(finiteNumber(name).value_or(-1), name); });
         while (star < found.words.size() && found.words[star] != "*") ++star;
         std::vector<PlannedRunFolder> all;
@@ -293,17 +304,9 @@ NumberPlan readOneFigure(const Dictionary& d) { return readFigure(d, ""); }
 EntryList figureEntries()
 {
     using namespace entry;
-    const EntryList number_{operation,
-                            value,
-                            table_,
-                            {select, {column}},
-                            where,
-                            {lookUps, {nameOfLookUp, table_, {select, {column}}, key, at, value, match}},
-                            pattern,
-                            log,
-                            columns,
-                            dictionary,
-                            entry_};
+    const EntryList number_{
+        operation, value, table_,  {select, {column}}, where, {lookUps, {nameOfLookUp, table_, {select, {column}}, key, at, value, match}},
+        pattern,   log,   columns, dictionary,         entry_};
     const EntryList ofFigures{runs,
                               nameOfRun,
                               {runsByName, {{run, {nameOfRun, folder, constant}}}},

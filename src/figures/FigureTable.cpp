@@ -75,7 +75,7 @@ std::vector<FigureLine> linesOf(const fs::path& caseFolder, const TablePlan& pla
     return lines;
 }
 
-/// What workPrecision has found: `<norm>(<field>)` of each run, " at <time>" where a run has several times, " (2)" of a second function object; its order, steps
+/// The errors that workPrecision has found: `<norm>(<field>)` of each run, " at <time>" where a run has several times, " (2)" of a second function object; its order, steps
 /// and processor time.
 std::vector<RecordedFigure> sweepFigures(const fs::path& caseFolder, const TablePlan& plan)
 {
@@ -90,7 +90,8 @@ std::vector<RecordedFigure> sweepFigures(const fs::path& caseFolder, const Table
     std::map<std::string, double> first;
     std::set<std::string> several;
     for (const auto& row : rows)
-        if (const auto [at, isNew] = first.emplace(runOf(row) + nameOf(row), row.time); !isNew && at->second != row.time) several.insert(nameOf(row));
+        if (const auto [at, isNew] = first.emplace(runOf(row) + nameOf(row), row.time); !isNew && at->second != row.time)
+            several.insert(nameOf(row));
     std::vector<RecordedFigure> figures;
     std::map<std::string, int> seen;
     for (const auto& row : rows)
@@ -110,7 +111,7 @@ std::vector<RecordedFigure> sweepFigures(const fs::path& caseFolder, const Table
     return figures;
 }
 
-/// What workPrecision has printed of the costs, from its Pareto front on.
+/// The end of the log of workPrecision, which tells of costs, from its Pareto front on.
 std::string paretoFront(const fs::path& log)
 {
     std::string reason;
@@ -160,7 +161,8 @@ std::string makeFigure(const fs::path& caseFolder, const NumberPlan& figure)
     return printed(figure.format, RunNumbers(caseFolder, {"base", ".", {}, {}})(figure));
 }
 
-void recordFigures(const fs::path& caseFolder, const std::vector<RecordedFigure>& figures, const std::string& version, const std::string& machine)
+void recordFigures(const fs::path& caseFolder, const std::vector<RecordedFigure>& figures, const std::string& version,
+                   const std::string& machine)
 {
     if (figures.empty()) return;
     createFolders(caseFolder / "run");

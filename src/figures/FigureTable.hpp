@@ -33,7 +33,8 @@ FigureTable makeFigures(const std::filesystem::path& caseFolder, const TablePlan
 std::string makeFigure(const std::filesystem::path& caseFolder, const NumberPlan&);
 
 /// Lines `run,figure,value,unit,against,day,version,machine` to the end of run/results.csv; `version`, `machine` of the program that measured.
-void recordFigures(const std::filesystem::path& caseFolder, const std::vector<RecordedFigure>&, const std::string& version, const std::string& machine);
+void recordFigures(const std::filesystem::path& caseFolder, const std::vector<RecordedFigure>&, const std::string& version,
+                   const std::string& machine);
 
 /// The processor's name, without commas.
 std::string machineName();

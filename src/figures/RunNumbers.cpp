@@ -31,9 +31,9 @@ const std::vector<Fact>& facts()
     static const std::vector<Fact> all{
         {"steps", "steps", "^step ([0-9]+) "},
         {"deltaT", "last step [s]", "^step .* deltaT ([^ ]+) "},
-        {"speed", "largest speed of a particle in the last report [m/s]", " max\\|U\\| +([^ ]+) "},
-        {"largestSpeed", "largest speed of a particle in all reports [m/s]", " max\\|U\\| +([^ ]+) ", true},
-        {"energySupply", "largest energy over what the scene has supplied", "energy/supply ([^ ]+) ", true},
+        {"speed", "largest speed of a particle in the last report [m/s]", " max\\|U\\| +([^ ]+)"},
+        {"largestSpeed", "largest speed of a particle in all reports [m/s]", " max\\|U\\| +([^ ]+)", true},
+        {"energySupply", "largest energy over what the scene has supplied", "energy/supply ([^ ]+)", true},
         {"processorTime", "processor time of the solver [s]", "^ExecutionTime = ([^ ]+) s"},
         {"putBack", "particles that were put back from inside walls", "^Leaked: ([0-9]+)"},
         {"particles", "particles at the start", "^Particles *: *([0-9]+)"},
@@ -111,7 +111,8 @@ std::vector<std::string> RunNumbers::logs(const std::string& name) const
     std::vector<std::string> files;
     const fs::path path(name);
     for (const auto& folder : foldersOf({"", folder_.lexically_relative(case_) / path.parent_path(), {}, {}}, case_))
-        if (fs::exists(case_ / folder.folder / path.filename())) files.push_back((folder.folder / path.filename()).lexically_normal().string());
+        if (fs::exists(case_ / folder.folder / path.filename()))
+            files.push_back((folder.folder / path.filename()).lexically_normal().string());
     return files;
 }
 
@@ -127,7 +128,8 @@ RunTable RunNumbers::logged(const NumberPlan& plan) const
         throw CaseError(plan.dict.where("pattern"), fmt::format("\"{}\" is no regular expression: {}", plan.pattern, mistake.what()));
     }
     if (pattern.mark_count() != plan.columns.size())
-        throw CaseError(plan.dict.where("pattern"), fmt::format("the pattern has {} groups ( ) and {} names of columns", pattern.mark_count(), plan.columns.size()));
+        throw CaseError(plan.dict.where("pattern"),
+                        fmt::format("the pattern has {} groups ( ) and {} names of columns", pattern.mark_count(), plan.columns.size()));
     const auto files = logs(filledName(plan.log, words_));
     std::vector<std::vector<std::string>> rows;
     std::vector<int> lines;
@@ -181,8 +183,8 @@ std::optional<double> RunNumbers::number(const std::string& name)
     return ofTheLog(name);
 }
 
-std::vector<double> RunNumbers::evaluate(const std::string& text, const Dictionary& dict, const std::string& key, const RunTable* of, const Rows& rows,
-                                         const Columns& more, bool* usesColumns)
+std::vector<double> RunNumbers::evaluate(const std::string& text, const Dictionary& dict, const std::string& key, const RunTable* of,
+                                         const Rows& rows, const Columns& more, bool* usesColumns)
 {
     std::deque<RunTable::Column> columns;
     std::vector<ExpressionProgram::Values> values;
@@ -210,12 +212,14 @@ std::vector<double> RunNumbers::evaluate(const std::string& text, const Dictiona
         std::vector<std::string> names = of ? of->names() : std::vector<std::string>{};
         for (const auto& [each, value] : known_) names.push_back(each);
         for (const auto& fact : facts()) names.push_back(fact.name);
-        throw ExpressionError(fmt::format("{}has no column or number \"{}\". {}", of ? of->file() + " " : "", name, suggestion(name, "names", names)));
+        throw ExpressionError(
+            fmt::format("{}has no column or number \"{}\". {}", of ? of->file() + " " : "", name, suggestion(name, "names", names)));
     };
     try
     {
         const ExpressionProgram program(text, kindOf);
-        if (program.kind() == ExpressionProgram::Kind::vector) throw ExpressionError("the value is a vector: take a component, as $momentum_x, or mag()");
+        if (program.kind() == ExpressionProgram::Kind::vector)
+            throw ExpressionError("the value is a vector: take a component, as $momentum_x, or mag()");
         // Without a table there is one value.
         std::vector<double> result(of ? rows.size() : 1);
         if (!result.empty()) program(0, result.size(), values, {result.data(), nullptr, nullptr});

@@ -26,8 +26,8 @@ class RunNumbers
     /// A name that is no column: a number, a constant, what the log tells.
     std::optional<double> number(const std::string& name);
     /// The value of an expression for each of the rows. `usesColumns`: whether it has any.
-    std::vector<double> evaluate(const std::string& text, const Dictionary&, const std::string& key, const RunTable*, const Rows&, const Columns&,
-                                 bool* usesColumns = nullptr);
+    std::vector<double> evaluate(const std::string& text, const Dictionary&, const std::string& key, const RunTable*, const Rows&,
+                                 const Columns&, bool* usesColumns = nullptr);
     std::vector<std::optional<double>> lookUp(const LookUpPlan&, const RunTable&, const Rows&, const Columns&);
     void keepWhere(const std::string& text, const Dictionary&, const RunTable&, Rows&, Columns&);
     double reduced(const NumberPlan&, const RunTable*, std::optional<Rows> only = {});

@@ -95,7 +95,8 @@ bool RunTable::has(const std::string& name) const { return std::ranges::find(nam
 std::size_t RunTable::column(const std::string& name) const
 {
     const auto found = std::ranges::find(names_, name);
-    if (found == names_.end()) throw CaseError({file_, 0}, fmt::format("has no column \"{}\". {}", name, suggestion(name, "columns", names_)));
+    if (found == names_.end())
+        throw CaseError({file_, 0}, fmt::format("has no column \"{}\". {}", name, suggestion(name, "columns", names_)));
     return std::size_t(found - names_.begin());
 }
 
@@ -112,7 +113,8 @@ std::vector<std::size_t> RunTable::select(const std::map<std::string, std::vecto
     for (const auto& [name, words] : wanted)
     {
         const auto c = column(name);
-        std::erase_if(rows, [&](std::size_t row) { return std::ranges::none_of(words, [&](const auto& word) { return sameCell(rows_[row][c], word); }); });
+        std::erase_if(rows, [&](std::size_t row)
+                      { return std::ranges::none_of(words, [&](const auto& word) { return sameCell(rows_[row][c], word); }); });
     }
     return rows;
 }
@@ -156,7 +158,8 @@ std::optional<RunTable::Column> RunTable::find(const std::string& name, const st
             const auto number = finiteNumber(word);
             if (!number && !word.empty() && !word.ends_with("nan") && !word.ends_with("inf"))
                 throw CaseError({file_, lines_[row]},
-                                fmt::format("column \"{}\" holds \"{}\", which is no number: rows are chosen by words with `select`", found, text));
+                                fmt::format("column \"{}\" holds \"{}\", which is no number: rows are chosen by words with `select`", found,
+                                            text));
             if (number) *parts[k] = *number;
         }
         if (component >= 0) result.value[0].push_back(*parts[std::size_t(component)]);
