@@ -16,8 +16,7 @@ const SubDictionary tables{"tables", required, "tables of figures, in the order 
 const FreeName table{"<table>", "dictionary", "a table, called by this name"},
     number{"<number>", "dictionary", "a number, $<number> below it"},
     column{"<column>", "word or number", "what the column must hold, or several in round brackets"},
-    constant{"<constant>", "number", "number of this run, $<constant> in its figures; of the other runs it has no value"},
-    run{"<run>", "dictionary", "a run"};
+    constant{"<constant>", "number", "number of this run, $<constant> in its figures; of the other runs it has no value"};
 const Choice type{"type",
                   {{"figures", "a line for each run or row, a column for each figure"},
                    {"workPrecision", "errors, orders and costs of a sweep, as workPrecision has written them"}},
@@ -309,7 +308,7 @@ EntryList figureEntries()
         pattern,   log,   columns, dictionary,         entry_};
     const EntryList ofFigures{runs,
                               nameOfRun,
-                              {runsByName, {{run, {nameOfRun, folder, constant}}}},
+                              {runsByName, {nameOfRun, folder, constant}},
                               table_,
                               {lines, {nameOfLine, of, table_, {select, {column}}, where, every}},
                               {numbers, {{number, number_}}},
