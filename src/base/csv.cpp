@@ -41,4 +41,10 @@ std::optional<double> finiteNumber(const std::string& text)
     return value;
 }
 
+bool sameCell(const std::string& cell, const std::string& wanted)
+{
+    const auto a = finiteNumber(cell), b = finiteNumber(wanted);
+    return a && b ? *a == *b : cell == wanted;
+}
+
 }

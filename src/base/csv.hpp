@@ -28,4 +28,7 @@ public:
 /// The number that the whole text is; none for "", "1e", "nan" and "inf".
 std::optional<double> finiteNumber(const std::string& text);
 
+/// Equal as numbers where both are numbers (1e-6 is 1.0e-06), as words otherwise.
+bool sameCell(const std::string& cell, const std::string& wanted);
+
 }

@@ -3,6 +3,7 @@
 #include "decomposition/readDecomposition.hpp"
 #include "elementTests/readElementTests.hpp"
 #include "elementTests/writeElementTests.hpp"
+#include "figures/FigurePlan.hpp"
 #include "kernels/resolutionEntries.hpp"
 #include "packing/Packing.hpp"
 #include "sampling/FunctionObject.hpp"
@@ -46,6 +47,7 @@ EntryRegistry collect()
         for (const auto& each : model->entries) all.add(each.file, each.entries, each.meaning);
     all.add(elementTestDictionary, elementTestEntries(), "what elementTest does to one element of soil");
     all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
+    all.add(figuresDictionary, figureEntries(), "tables of figures that caseFigures makes of what the runs of a case have left");
     for (const auto& table : functionTables()) all.add(table);
     for (const auto& table : {surfaceTable(), bedTable(), heightTable(), radialTable(), sizesTable(), grainsTable(), contactsTable(),
                               resultTable(), elementTestTable()})

@@ -30,13 +30,6 @@ const Choice interpolation{"interpolation", {"linear", {"cubic", "through the fo
 namespace
 {
 
-/// Equal as numbers where both are numbers (1e-6 is 1.0e-06), as words otherwise.
-bool matches(const std::string& cell, const std::string& wanted)
-{
-    const auto a = finiteNumber(cell), b = finiteNumber(wanted);
-    return a && b ? *a == *b : cell == wanted;
-}
-
 /// Lagrange's polynomial through `count` (2 or 4) points of ascending x around `at`.
 double interpolate(const std::vector<double>& x, const std::vector<double>& y, double at, std::size_t count)
 {
@@ -137,7 +130,7 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             d.diagnostics().error(here, fmt::format("{} cells under {} columns", cells.size(), header.size()));
             continue;
         }
-        if (!std::ranges::all_of(filter, [&](const auto& f) { return matches(cells[f.first], f.second); })) continue;
+        if (!std::ranges::all_of(filter, [&](const auto& f) { return sameCell(cells[f.first], f.second); })) continue;
         const auto number_ = [&](std::size_t k)
         {
             const auto value = finiteNumber(cells[k]);

@@ -3,6 +3,7 @@
 #include "case/RunTime.hpp"
 #include "declaredEntries.hpp"
 #include "decomposition/readDecomposition.hpp"
+#include "figures/FigurePlan.hpp"
 #include "packing/Packing.hpp"
 #include "reference/reference.hpp"
 #include "sampling/FunctionObject.hpp"
@@ -135,6 +136,11 @@ TEST(Declared, sweep)
     EXPECT_EQ(differenceOf("system/workPrecisionDict", [](const Case& c) { readSweepPlan(c); },
                            {"system/workPrecisionDict.setResolution.someName", "system/workPrecisionDict.variants.someName.someName"}),
               "");
+}
+
+TEST(Declared, figures)
+{
+    EXPECT_EQ(differenceOf(figuresDictionary, [](const Case& c) { readFigurePlan(c.dictionary(figuresDictionary)); }), "");
 }
 
 TEST(Declared, controlDict)

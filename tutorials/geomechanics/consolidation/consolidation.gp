@@ -15,9 +15,9 @@ set trange [0:1]
 set samples 200
 set key top right
 plot series(1 - t, 0.05),t with lines lc 'black' title 'Terzaghi (1943)', series(1 - t, 0.2),t with lines lc 'black' notitle, series(1 - t, 0.5),t with lines lc 'black' notitle, \
-    series(1 - t, 1),t with lines lc 'black' notitle, 'run/rows0.05' using (1e-3*$2):1 with points pt 6 ps 0.8 lc rgb '#0060ad' title 'T = 0.05', \
-    'run/rows0.2' using (1e-3*$2):1 with points pt 4 ps 0.8 lc rgb '#d95319' title '0.2', 'run/rows0.5' using (1e-3*$2):1 with points pt 8 ps 0.8 lc rgb '#1a8a34' title '0.5', \
-    'run/rows1' using (1e-3*$2):1 with points pt 2 ps 0.8 lc rgb '#7e2f8e' title '1'
+    series(1 - t, 1),t with lines lc 'black' notitle, 'postProcessing/rows/0.07019883115/bins_porePressure.xy' using (1e-3*$2):1 with points pt 6 ps 0.8 lc rgb '#0060ad' title 'T = 0.05', \
+    'postProcessing/rows/0.2807953246/bins_porePressure.xy' using (1e-3*$2):1 with points pt 4 ps 0.8 lc rgb '#d95319' title '0.2', 'postProcessing/rows/0.7019883115/bins_porePressure.xy' using (1e-3*$2):1 with points pt 8 ps 0.8 lc rgb '#1a8a34' title '0.5', \
+    'postProcessing/rows/1.403976623/bins_porePressure.xy' using (1e-3*$2):1 with points pt 2 ps 0.8 lc rgb '#7e2f8e' title '1'
 unset parametric
 set xlabel 'T = c_v t/H^2'
 set ylabel 'settlement of the topmost row [mm]' noenhanced
@@ -25,4 +25,4 @@ set xrange [0:1]
 set yrange [0.1:0]
 set key default
 set key top right
-plot 0.1*(y - 0.998185*left(x)) with lines lc 'black' title 'Terzaghi (1943)', 'run/settlement' using 1:(1e3*$2) with points pt 6 ps 0.8 lc rgb '#0060ad' title 'topmost row'
+plot 0.1*(y - 0.998185*left(x)) with lines lc 'black' title 'Terzaghi (1943)', 'postProcessing/settlement/0/errors.dat' using (0.712262571*$1):(1e3*column('value')) with points pt 6 ps 0.8 lc rgb '#0060ad' title 'topmost row'

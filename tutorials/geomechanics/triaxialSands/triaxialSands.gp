@@ -17,12 +17,12 @@ set ylabel 'q [kPa]'
 set key bottom right
 plot tables.'dense.csv' using (100*$1):@q with lines ls 1 title 'dense, e = 0.56', tables.'loose.csv' using (100*$1):@q with lines ls 2 title 'loose, e = 0.8', \
     'reference/drained.csv' using (is(0.56)*100*$5):(1e-3*$6) with points pt 6 ps 0.9 lc 'black' title 'reference', '' using (is(0.8)*100*$5):(1e-3*$6) with points pt 6 ps 0.9 lc 'black' notitle, \
-    "<tr ' ' , < run/dense.path" using (100*$1):(1e-3*$2) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr ' ' , < run/loose.path" using (100*$1):(1e-3*$2) with points pt 2 ps 0.7 lc 'black' notitle
+    "<tr '\\t' , < run/dense/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$2) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr '\\t' , < run/loose/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$2) with points pt 2 ps 0.7 lc 'black' notitle
 set ylabel 'void ratio'
 set key center right
 plot tables.'dense.csv' using (100*$1):'voidRatio [-]' with lines ls 1 title 'dense', tables.'loose.csv' using (100*$1):'voidRatio [-]' with lines ls 2 title 'loose', \
     'reference/drained.csv' using (is(0.56)*100*$5):8 with points pt 6 ps 0.9 lc 'black' title 'reference', '' using (is(0.8)*100*$5):8 with points pt 6 ps 0.9 lc 'black' notitle, \
-    "<tr ' ' , < run/dense.path" using (100*$1):3 with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr ' ' , < run/loose.path" using (100*$1):3 with points pt 2 ps 0.7 lc 'black' notitle
+    "<tr '\\t' , < run/dense/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):4 with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr '\\t' , < run/loose/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):4 with points pt 2 ps 0.7 lc 'black' notitle
 set title 'undrained, 100 kPa'
 set xlabel "p' [kPa]"
 set ylabel 'q [kPa]'

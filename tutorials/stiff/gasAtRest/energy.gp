@@ -2,9 +2,13 @@
 set terminal pngcairo size 900,420 font ',10'
 set output 'gasAtRest.png'
 set logscale y
+set datafile separator tab
+set datafile separator tab
+set datafile separator tab
+set datafile separator tab
 set format y '10^{%T}'
 set xlabel 't [s]'
 set ylabel 'kinetic energy [J]'
 set yrange [1e-20:1e-5]
 set key outside right
-plot for [name in "whole spheresWhole calm spheres"] 'run/'.name.'.xy' with lines lw 1.5 title name
+plot for [name in "whole spheresWhole calm spheres"] 'run/'.name.'/postProcessing/conservation/0/conservation.dat' using 1:4 with lines lw 1.5 title name

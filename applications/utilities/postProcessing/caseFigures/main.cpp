@@ -1,0 +1,94 @@
+/// Figures of a case's runs, as system/figuresDict asks for them: printed as tables and recorded.
+#include "base/CommandLine.hpp"
+#include "base/version.hpp"
+#include "base/words.hpp"
+#include "case/Case.hpp"
+#include "figures/FigurePlan.hpp"
+#include "figures/FigureTable.hpp"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace
+{
+
+struct Options
+{
+    std::vector<std::string> tables;
+    bool unrecorded = false;
+    std::string value, table, where, operation = "last", format = "%.6g";
+};
+
+/// One number of the case itself, for scripts.
+int printValue(const std::filesystem::path& path, const Options& options)
+{
+    const auto mistakes = std::make_shared<sph::Diagnostics>();
+    const auto text = fmt::format("name value; value \"{}\"; table \"{}\"; where \"{}\"; operation {}; format \"{}\";", options.value,
+                                  options.table, options.where, options.operation, options.format);
+    const auto figure = sph::readOneFigure(sph::Dictionary::parse(text, "the command line", mistakes));
+    mistakes->throwIfAny();
+    fmt::print("{}\n", sph::makeFigure(sph::Case(path).folder(), figure));
+    return 0;
+}
+
+int run(const std::filesystem::path& path, const Options& options)
+{
+    const sph::Case theCase(path);
+    const auto plans = sph::readFigurePlan(theCase.dictionary(sph::figuresDictionary));
+    theCase.diagnostics().throwIfAny();
+    std::vector<std::string> names;
+    for (const auto& plan : plans) names.push_back(plan.name);
+    for (const auto& table : options.tables)
+        if (std::ranges::find(names, table) == names.end())
+            throw sph::CaseError({sph::figuresDictionary, 0},
+                                 fmt::format("has no table \"{}\". {}", table, sph::suggestion(table, "tables", names)));
+
+    const auto version = sph::version().commit.empty() ? sph::version().number : sph::version().commit;
+    std::size_t lines = 0;
+    for (const auto& plan : plans)
+    {
+        const bool asked = std::ranges::find(options.tables, plan.name) != options.tables.end();
+        if (!options.tables.empty() && !asked) continue;
+        const auto table = sph::makeFigures(theCase.folder(), plan);
+        fmt::print("{}", table.text);
+        if (!table.missing.empty())
+            fmt::print("{}not run: {}\n", table.text.empty() ? "\n" + plan.name + ": " : "", fmt::join(table.missing, ", "));
+        if (table.lines == 0 && asked) throw sph::CaseError(plan.dict.location(), "none of its runs has been made");
+        if (!options.unrecorded) sph::recordFigures(theCase.folder(), table.recorded, version, sph::machineName());
+        lines += table.lines;
+    }
+    if (lines == 0) throw sph::CaseError({sph::figuresDictionary, 0}, "none of the runs has been made");
+    return 0;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+    Options options;
+    return sph::runApplication(
+        "caseFigures", argc, argv,
+        "Prints the tables of figures that system/figuresDict asks for, from what runs have left, and appends them to run/results.csv.",
+        [&](CLI::App& app)
+        {
+            app.add_option("tables", options.tables, "These tables only")->type_name("<table>");
+            auto* value = app.add_option(
+                "--value", options.value,
+                "Print this expression alone: of numbers, of what the log of the case tells, of columns of a table at its last row");
+            value->type_name("<expression>");
+            app.add_option("--table", options.table, "The table: a function object, or a file of the case")
+                ->type_name("<name>")
+                ->needs(value);
+            app.add_option("--where", options.where, "Condition on the rows of the table")->type_name("<expression>")->needs(value);
+            app.add_option("--operation", options.operation, "What is made of the rows: last (default), first, min, max, mean, sum ..")
+                ->type_name("<word>")
+                ->needs(value);
+            app.add_option("--format", options.format, "How it is written, as printf has it (default: %.6g)")
+                ->type_name("<format>")
+                ->needs(value);
+            app.add_flag("--noRecord", options.unrecorded, "Leave run/results.csv alone");
+        },
+        [&](const std::filesystem::path& folder) { return options.value.empty() ? run(folder, options) : printValue(folder, options); },
+        sph::Banner::none);
+}
