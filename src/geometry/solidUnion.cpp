@@ -7,6 +7,7 @@
 #include "geometry/Geometry.hpp"
 #include "geometry/Plane.hpp"
 #include "geometry/SolidBox.hpp"
+#include "geometry/TriangleMesh.hpp"
 #include "geometry/closestApproach.hpp"
 #include "geometry/components.hpp"
 #include <algorithm>
@@ -156,10 +157,24 @@ std::vector<std::vector<int>> findCoverers(const Geometry& g)
     return coverers;
 }
 
+namespace
+{
+/// Whether a solid is known to be farther from x than that: a mesh knows without a search.
+bool isBeyond(const Patch& solid, const Vector<3>& x, double least)
+{
+    return solid.mesh && solid.mesh->body().isBeyond(solid.mesh->local(x), least);
+}
+}
+
 bool Geometry::isCovered(int patch, const Vector<3>& x) const
 {
     const auto& of = coverers[std::size_t(patch)];
-    return std::any_of(of.begin(), of.end(), [&](int q) { return patches[std::size_t(q)].shape->foot(x).distance <= tolerance(); });
+    return std::any_of(of.begin(), of.end(),
+                       [&](int q)
+                       {
+                           const auto& solid = patches[std::size_t(q)];
+                           return !isBeyond(solid, x, tolerance()) && solid.shape->foot(x).distance <= tolerance();
+                       });
 }
 
 double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
@@ -170,6 +185,7 @@ double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
     double share = 1;
     for (const int q : coverers[std::size_t(patch)])
     {
+        if (isBeyond(patches[std::size_t(q)], y, touching)) continue;
         const auto& solid = *patches[std::size_t(q)].shape;
         double depth = -solid.foot(y).distance;
         if (depth < -touching) continue;
