@@ -138,9 +138,11 @@ PreparedMesh prepareMesh(const std::filesystem::path& caseFolder, const TriSurfa
         result.usable = true;
         if (const auto& [width, at] = result.clearances.thinnest; width < 2 * space.H)
             diagnostics.warning(
-                t.at, fmt::format("wall \"{}\" is {:.3g} m thin at {}, less than two supports of the kernel, {:.3g} m: the mirror "
-                                  "images of its two sides lie in one another",
-                                  t.wall, width, inWords(at), 2 * space.H));
+                t.at,
+                fmt::format(
+                    "wall \"{}\" is {:.3g} m thin at {}, less than two supports of the kernel, {:.3g} m: the mirror "
+                    "images of its two sides lie in one another, and fluid on both of them sees too much of it; a finer spacing ends that",
+                    t.wall, width, inWords(at), 2 * space.H));
         if (const auto& [count, radius, facet, at] = result.hollows; count > 0)
             diagnostics.warning(
                 t.at, fmt::format("wall \"{}\" has {} tighter than the support of the kernel, {:.3g} m, which cannot resolve {}: the "

@@ -123,9 +123,13 @@ void Monitor::warnOfCompression()
                                summary.maxDensity[k], compression, c.soundSpeed[k]);
         else continue;
         warned_[k] = true;
-        warn(fmt::format("at time {} {} {}: weak compressibility is lost. A sound speed of ten times the largest of flow speed, "
-                         "sqrt(pressure/density) and sqrt(gravity depth) keeps the density within 1 %",
-                         time_.name(), c.phases[k], what));
+        const bool tears = mach <= suspectMach && settings_.facts.get<GasLeftOut>().isLeftOut;
+        warn(fmt::format(
+            "at time {} {} {}: weak compressibility is lost. {}", time_.name(), c.phases[k], what,
+            tears
+                ? "Without its gas a liquid that strikes a wall or tears is so in a few particles; a larger sound speed makes its pressure noisier, and helps "
+                  "where the flow itself presses"
+                : "A sound speed of ten times the largest of flow speed, sqrt(pressure/density) and sqrt(gravity depth) keeps the density within 1 %"));
     }
 }
 
