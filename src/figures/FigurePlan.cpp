@@ -144,6 +144,10 @@ std::vector<PlannedRunFolder> readRuns(const Dictionary& d)
         {
             for (auto [folder, words] : expandBraces(folderOf(text)))
             {
+                for (const auto& part : std::filesystem::path(folder))
+                    if (part != "*" && part.string().find('*') != std::string::npos)
+                        throw std::invalid_argument(
+                            fmt::format("\"{}\": {{*}} stands for a whole folder, not for a part of its name", text));
                 std::string byWords;
                 for (std::size_t k = 1; k <= words.size(); ++k) byWords += fmt::format("{}<{}>", k == 1 ? "" : " ", k);
                 if (words.empty()) words = {folder == "." ? "base" : std::filesystem::path(folder).filename().string()};

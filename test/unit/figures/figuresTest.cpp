@@ -154,6 +154,9 @@ TEST(Figures, MistakesNameWhatThereIs)
     EXPECT_NE(figure("value \"1\"; format \"%s\";").find("system/figuresDict:3: \"%s\" is no format of one number"), std::string::npos);
     EXPECT_NE(figure("value \"1\"; operatio max;").find("Did you mean \"operation\"?"), std::string::npos);
     EXPECT_NE(firstLine("t { against \"a, b\"; figures (); }").find("a comma parts the columns"), std::string::npos);
+    EXPECT_NE(
+        firstLine("t { against x; runs (\"run/bond{*}\"); figures ( { name n; value \"2\"; } ); }").find("{*} stands for a whole folder"),
+        std::string::npos);
 }
 
 // What workPrecision has written: errors in %, their order, steps and processor time once a run; several times are told apart.
