@@ -1,4 +1,5 @@
 /// Pictures of a 3-D case by the application: fields on the surface, cuts, translucent walls, all particles.
+#include "Largest.hpp"
 #include "case/Cloud.hpp"
 #include "particles.hpp"
 #include "pixels.hpp"
@@ -185,15 +186,14 @@ TEST(SmoothedField, IsTheFieldOnTheSurface)
         std::vector<double> values;
         for (std::size_t p = 0; p < particles.size(); ++p) values.push_back(particles.inPhase[p] ? f(particles.position[p]) : 1e6);
         SmoothedField(grid, particles, values, "wendlandC2", support).colour(surface);
-        double largest = 0;
+        Largest error;
         for (vtkIdType p = 0; p < surface->GetNumberOfPoints(); ++p)
         {
             double x[3];
             surface->GetPoint(p, x);
-            largest =
-                std::max(largest, std::fabs(surface->GetPointData()->GetScalars()->GetComponent(p, 0) - f(Vector<3>{x[0], x[1], x[2]})));
+            error(surface->GetPointData()->GetScalars()->GetComponent(p, 0) - f(Vector<3>{x[0], x[1], x[2]}));
         }
-        return largest;
+        return error.value();
     };
     EXPECT_LT(largestError([](const Vector<3>&) { return 7.0; }), 1e-12);
     EXPECT_LT(largestError([](const Vector<3>& x) { return 10 + x.x; }), 1.0);
