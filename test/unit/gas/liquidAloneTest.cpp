@@ -316,7 +316,7 @@ TEST(InteriorShifting, ClosesAGapAndLeavesTheSurface)
     const double atFirst = drive();
     int atSurface = 0;
     for (const auto& q : disc.particles)
-        if (q.t > InteriorShifting::insideUpTo)
+        if (q.t > InteriorShare::upTo)
         {
             ++atSurface;
             EXPECT_EQ(mag(InteriorShifting{}(q)), 0);
@@ -538,7 +538,7 @@ TEST(FreeSurfaceForce, TakesTheForceOfUniformSuctionFromWhatLiesInside)
     {
         for (auto& q : block.particles) q.p = -2;
         const auto pull = block.of(HuAdamsPressure{}, i), left = pull + block.of(tension, i);
-        const double t = block.particles[i].t, share = std::min(1.0, t / FreeSurfaceForce::insideUpTo);
+        const double t = block.particles[i].t, share = std::min(1.0, t / InteriorShare::upTo);
         EXPECT_LT(mag(left - share * pull), 1e-12 * (1 + mag(pull))) << "t " << t;
         for (auto& q : block.particles) q.p = 2;
         EXPECT_EQ(mag(block.of(tension, i)), 0);
