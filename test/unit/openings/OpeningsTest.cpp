@@ -300,6 +300,29 @@ TEST(Openings, PointIntoTheScene)
     refused({gate}, -0.4, "has 0.4 m of scene before its plane, less than the 0.6 m that it holds beyond");
 }
 
+// A gate in a runner between the end of a mould and that of the domain: pointed out of the mould it has as much scene before it as it holds, and is refused all the same; so is one at
+// whose rear the domain cuts the runner shorter than what is held reaches, by less than a spacing.
+TEST(Openings, PointOutOfARunner)
+{
+    const auto mould = [](double runner)
+    {
+        auto geometry = duct(
+            "dimension 2; domain { min (-1 0 0); max (2 1 0); } walls { low { type plane; point (0 0 0); normal (0 1 0); } high { type "
+            "plane; point (0 1 0); normal (0 -1 0); } end { type plane; point (1.9 0 0); normal (-1 0 0); } }");
+        geometry.low.x = -runner;
+        return geometry;
+    };
+    auto gate = gateOf(0);
+    EXPECT_EQ(Openings<2>({gate}, mould(1), coefficients(), stateOfPowder(), {}).flows().size(), 1u);
+    refuses(gate, mould(depth - H - 0.05),
+            "needs 0.35 m of domain beyond its plane, for the particles that are held there: the domain of "
+            "constant/geometry, (-0.3 0 0) to (2 1 1), ends before");
+    gate.normal = {-1, 0, 0};
+    refuses(gate, mould(1),
+            "has the normal (-1 0 0), which points out of the scene: before the plane a straight duct leads out of the domain, and "
+            "beyond it none does. It must point into the scene: (1 0 0)");
+}
+
 // Density of buffer particles, where density is integrated, by Tait's law for the held pressure: rho = rho_0 (1 + p/B)^(1/n).
 TEST(Openings, HoldTheDensityOfTheirPressure)
 {
