@@ -24,7 +24,7 @@ struct ElementTestPlan
 
 /// Mistakes go to the case's Diagnostics. Tests are checked against the law: a start that it does not admit is an error.
 ElementTestPlan readElementTests(const Case&, const SoilLaw&);
-/// Of the whole dictionary, its section `calibration` included.
+/// The entries of the whole dictionary, its section `calibration` included.
 EntryList elementTestEntries();
 
 }
