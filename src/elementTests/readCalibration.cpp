@@ -1,4 +1,5 @@
 #include "elementTests/readCalibration.hpp"
+#include "base/words.hpp"
 #include "dictionary/DictionaryNode.hpp"
 #include "elementTests/readElementTests.hpp"
 #include "elementTests/testTypes.hpp"
