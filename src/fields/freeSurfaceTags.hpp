@@ -1,6 +1,7 @@
 /// Fields of the free surface of a liquid whose gas is left out (models/gas/CompletedDensity.hpp).
 #pragma once
 #include "fields/fieldTags.hpp"
+#include <cmath>
 
 namespace sph
 {
@@ -16,5 +17,16 @@ struct TensionAcceleration { static constexpr FieldInfo info{"dUdtByTension", "m
 struct ParticleNumber      { static constexpr FieldInfo info{"number", "1"};                            template<int dim> struct At { double number; }; };
 struct GhostsSeen          { static constexpr FieldInfo info{"ghostsSeen", "1"};                        template<int dim> struct At { double ghosts; }; };
 // clang-format on
+
+/// Share by which what acts in the interior of the liquid alone acts on a particle: 1 far from the surface, 0 from t = t_s on.
+///
+///   e_i = max(0, 1 - t_i/t_s),    t_s = 0.1
+///
+/// t_i [-] is the particle's share of the surface (SurfaceShare, models/gas/CompletedDensity.hpp). t_s by columns that hang between plates (models/gas/README.md).
+struct InteriorShare
+{
+    static constexpr double upTo = 0.1; ///< t_s
+    static double of(double t) { return std::fmax(0.0, 1 - t / upTo); }
+};
 
 }

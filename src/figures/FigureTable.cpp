@@ -46,6 +46,8 @@ std::string aligned(const std::vector<std::vector<std::string>>& rows)
     return text;
 }
 
+std::string shown(const fs::path& folder) { return folder == "." ? "the case itself" : folder.lexically_normal().string(); }
+
 std::vector<FigureLine> linesOf(const fs::path& caseFolder, const TablePlan& plan, FigureTable& table)
 {
     std::vector<FigureLine> lines;
@@ -57,7 +59,7 @@ std::vector<FigureLine> linesOf(const fs::path& caseFolder, const TablePlan& pla
         RunNumbers numbers(caseFolder, run);
         if (!numbers.isThere())
         {
-            table.missing.push_back(run.name);
+            table.missing.push_back(shown(run.folder));
             continue;
         }
         for (const auto& number : plan.numbers) numbers.add(number);
@@ -130,7 +132,7 @@ FigureTable makeFigures(const fs::path& caseFolder, const TablePlan& plan)
         const auto folder = caseFolder / plan.runs.front().folder;
         if (!fs::exists(folder / "postProcessing/workPrecision/results.csv"))
         {
-            table.missing.push_back(plan.runs.front().folder.lexically_normal().string() + " (workPrecision)");
+            table.missing.push_back("workPrecision of " + shown(plan.runs.front().folder));
             return table;
         }
         table.recorded = sweepFigures(caseFolder, plan);

@@ -22,7 +22,7 @@ struct FigureTable
 {
     std::string text; ///< as printed
     std::vector<RecordedFigure> recorded;
-    std::vector<std::string> missing; ///< runs that have not been made
+    std::vector<std::string> missing; ///< folders of runs that have not been made, relative to the case; sweeps
     std::size_t lines = 0;
 };
 

@@ -116,7 +116,19 @@ std::vector<std::string> RunNumbers::logs(const std::string& name) const
     return files;
 }
 
-RunTable RunNumbers::logged(const NumberPlan& plan) const
+const std::optional<std::vector<std::string>>& RunNumbers::linesOfLog(const std::string& file)
+{
+    const auto [known, isNew] = linesOfLogs_.try_emplace(file);
+    if (!isNew) return known->second;
+    if (std::ifstream in(case_ / file); in)
+    {
+        auto& lines = known->second.emplace();
+        for (std::string line; std::getline(in, line);) lines.push_back(line);
+    }
+    return known->second;
+}
+
+RunTable RunNumbers::logged(const NumberPlan& plan)
 {
     std::regex pattern;
     try
@@ -135,10 +147,10 @@ RunTable RunNumbers::logged(const NumberPlan& plan) const
     std::vector<int> lines;
     for (const auto& file : files)
     {
-        std::ifstream in(case_ / file);
-        if (!in) throw CaseError(plan.dict.where("pattern"), fmt::format("{} is not there", file));
+        const auto& log = linesOfLog(file);
+        if (!log) throw CaseError(plan.dict.where("pattern"), fmt::format("{} is not there", file));
         int number = 0;
-        for (std::string line; std::getline(in, line);)
+        for (const auto& line : *log)
         {
             ++number;
             std::smatch found;
@@ -154,11 +166,11 @@ std::optional<double> RunNumbers::ofTheLog(const std::string& name)
 {
     const auto fact = std::ranges::find(facts(), name, &Fact::name);
     if (fact == facts().end()) return {};
-    std::ifstream in(case_ / log("sphFoamLike"));
-    if (!in) return NAN;
+    const auto& lines = linesOfLog(log("sphFoamLike"));
+    if (!lines) return NAN;
     const std::regex pattern(fact->pattern);
     std::vector<double> values;
-    for (std::string line; std::getline(in, line);)
+    for (const auto& line : *lines)
     {
         std::smatch found;
         if (std::regex_search(line, found, pattern)) values.push_back(finiteNumber(found[1]).value_or(NAN));

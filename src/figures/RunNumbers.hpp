@@ -13,11 +13,14 @@ class RunNumbers
     std::vector<std::string> words_;
     std::map<std::string, double> known_; ///< constants of the run and numbers that have been found
     std::map<std::string, RunTable> tables_;
+    std::map<std::string, std::optional<std::vector<std::string>>> linesOfLogs_; ///< of each that has been asked for, by its path
 
     const RunTable& table(const std::string& name);
     std::string log(const std::string& name) const;
     std::vector<std::string> logs(const std::string& name) const;
-    RunTable logged(const NumberPlan&) const;
+    /// Of a file relative to the case, read once; nothing where it is not there.
+    const std::optional<std::vector<std::string>>& linesOfLog(const std::string& file);
+    RunTable logged(const NumberPlan&);
     RunTable entryOf(const NumberPlan&) const;
     std::optional<double> ofTheLog(const std::string& name);
 

@@ -41,7 +41,7 @@ bool Geometry::inFluid(const Vector<3>& x) const
                        {
                            const auto& patch = patches[std::size_t(p)];
                            // A mesh knows of most places without a search that they lie before it.
-                           return (patch.mesh && patch.mesh->body().isBeyond(patch.mesh->local(x), 0)) || patch.shape->foot(x).distance > 0;
+                           return isBeyond(patch.mesh, x, 0) || patch.shape->foot(x).distance > 0;
                        });
 }
 

@@ -43,6 +43,12 @@ public:
 /// The bodies of a closed surface: each connected part by itself, a cavity with the body around it. Bodies may touch and overlap.
 std::vector<std::shared_ptr<const FacetBody>> bodiesOf(const FacetSurface&, const FacetScale&);
 
+/// Whether a patch is known, without a search, to be farther from x than that [m]; of one that is no mesh (null) nothing is known.
+inline bool isBeyond(const TriangleMesh* mesh, const Vector<3>& x, double least)
+{
+    return mesh && mesh->body().isBeyond(mesh->local(x), least);
+}
+
 /// Null where the shape is no mesh.
 inline const TriangleMesh* asMesh(const Shape& shape) { return dynamic_cast<const TriangleMesh*>(&shape); }
 

@@ -157,15 +157,6 @@ std::vector<std::vector<int>> findCoverers(const Geometry& g)
     return coverers;
 }
 
-namespace
-{
-/// Whether a solid is known to be farther from x than that: a mesh knows without a search.
-bool isBeyond(const Patch& solid, const Vector<3>& x, double least)
-{
-    return solid.mesh && solid.mesh->body().isBeyond(solid.mesh->local(x), least);
-}
-}
-
 bool Geometry::isCovered(int patch, const Vector<3>& x) const
 {
     const auto& of = coverers[std::size_t(patch)];
@@ -173,7 +164,7 @@ bool Geometry::isCovered(int patch, const Vector<3>& x) const
                        [&](int q)
                        {
                            const auto& solid = patches[std::size_t(q)];
-                           return !isBeyond(solid, x, tolerance()) && solid.shape->foot(x).distance <= tolerance();
+                           return !isBeyond(solid.mesh, x, tolerance()) && solid.shape->foot(x).distance <= tolerance();
                        });
 }
 
@@ -185,7 +176,7 @@ double Geometry::exposure(int patch, const Vector<3>& x, const Foot& f) const
     double share = 1;
     for (const int q : coverers[std::size_t(patch)])
     {
-        if (isBeyond(patches[std::size_t(q)], y, touching)) continue;
+        if (isBeyond(patches[std::size_t(q)].mesh, y, touching)) continue;
         const auto& solid = *patches[std::size_t(q)].shape;
         double depth = -solid.foot(y).distance;
         if (depth < -touching) continue;

@@ -272,6 +272,15 @@ Packing pack(const PackingPlan& plan)
     auto occupation = occupy(plan, relaxed);
     if (plan.saturation) share(*plan.saturation, g, relaxed, occupation);
 
+    for (const auto& [i, residual] : packing.relaxation.crowded)
+    {
+        if (occupation.phase[i] == FillRule::noPhase) continue;
+        ++packing.crowd.particles;
+        if (residual <= packing.crowd.residual) continue;
+        packing.crowd.residual = residual;
+        packing.crowd.at = relaxed[i];
+    }
+
     const bool pressed =
         plan.pressure || std::any_of(plan.fill.begin(), plan.fill.end(), [](const FillRule& rule) { return rule.p.has_value(); });
     for (std::size_t i = 0; i < relaxed.size(); ++i)

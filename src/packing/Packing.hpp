@@ -88,6 +88,13 @@ struct Packing
     std::array<long, 3> layers{};
     Vector<3> fittedSpacing;
     RelaxationResult relaxation;
+    /// Crowded particles (Relaxation.hpp), those of empty places left out: how many, and the most crowded.
+    struct Crowd
+    {
+        std::size_t particles = 0;
+        double residual = 0;
+        Vector<3> at;
+    } crowd;
     std::vector<PackedPhase> phases;
     std::size_t leftEmpty = 0; ///< places without a particle, by `phase none` or because no region covers them
     double saturation = 0;     ///< reached
@@ -96,6 +103,9 @@ struct Packing
 /// Fills the whole space between the walls, relaxes it, and then gives the places to phases or leaves them empty, so that a free
 /// surface does not spread. Throws CaseError where there are no particles, a phase has none, or two particles coincide.
 Packing pack(const PackingPlan&);
+
+/// Warns where the lattice crowds particles between walls that it does not fit; not of a jitter, which is asked for.
+void warnOfCrowd(const PackingPlan&, const Packing&, Diagnostics&);
 
 /// Report of a packing to the user.
 std::string report(const PackingPlan&, const Packing&);

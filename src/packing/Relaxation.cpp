@@ -241,6 +241,15 @@ public:
         result.closest = closest.pair;
     }
 
+    std::vector<CrowdedParticle> crowded() const
+    {
+        const double* const V = store_.component(Volume::info.name, 0);
+        std::vector<CrowdedParticle> all;
+        for (std::size_t i = 0; i < n_; ++i)
+            if (const double residual = V0_ / V[i] - 1; residual > crowdedFrom) all.push_back({i, residual});
+        return all;
+    }
+
     /// Inside the domain's periodic faces, as they lie now.
     Points points()
     {
@@ -388,6 +397,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
         ++result.steps;
     }
     if (result.steps) result.after = relaxer.residual();
+    result.crowded = relaxer.crowded();
     relaxer.findClosestPair(result);
     result.centreOfMassDrift = relaxer.drift() / spacing;
     points = relaxer.points();

@@ -38,15 +38,24 @@ struct KernelResidual
     Moments overall, nearWalls; ///< all particles; those within a support of a wall
 };
 
+/// Kernel residual from which on particles count as crowded: fluid that is denser than at rest by a tenth.
+inline constexpr double crowdedFrom = 0.1;
+struct CrowdedParticle
+{
+    std::size_t particle;
+    double residual;
+};
+
 struct RelaxationResult
 {
     KernelResidual before, after;
     int steps = 0;
-    double largestShift = 0;              ///< of the last step, in spacings
-    double centreOfMassDrift = 0;         ///< in spacings
-    std::size_t heldBack = 0;             ///< particles that the last step would have put into a wall
-    double closestPair = 0;               ///< [m]
-    std::array<std::size_t, 2> closest{}; ///< the particles of that pair; the same twice where an image of itself is nearest
+    double largestShift = 0;                ///< of the last step, in spacings
+    double centreOfMassDrift = 0;           ///< in spacings
+    std::size_t heldBack = 0;               ///< particles that the last step would have put into a wall
+    double closestPair = 0;                 ///< [m]
+    std::array<std::size_t, 2> closest{};   ///< the particles of that pair; the same twice where an image of itself is nearest
+    std::vector<CrowdedParticle> crowded{}; ///< at the end
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are

@@ -54,6 +54,21 @@ std::string bed(const PackingPlan& plan, const Packing& packing)
 }
 }
 
+void warnOfCrowd(const PackingPlan& plan, const Packing& packing, Diagnostics& diagnostics)
+{
+    const auto& [particles, residual, at] = packing.crowd;
+    if (particles == 0 || plan.lattice.jitter > 0) return;
+    diagnostics.warning(
+        plan.spacingAt,
+        fmt::format(
+            "{} of {} particles are packed denser than at rest by more than {:g} %, by {:.0f} % at ({:.4g} {:.4g} {:.4g}), and will push one "
+            "another apart: the walls there leave no room for a whole number of spacings of {:g} m. {}",
+            particles, packing.points.size(), 100 * crowdedFrom, 100 * residual, at.x, at.y, at.z, plan.lattice.spacing,
+            plan.relaxation
+                ? "Choose a finer spacing, or more steps of `relax`"
+                : "Relax the packing (`relax { steps 200; }` in system/packParticlesDict), or choose a spacing that divides the gap"));
+}
+
 std::string report(const PackingPlan& plan, const Packing& packing)
 {
     const auto& g = plan.geometry;

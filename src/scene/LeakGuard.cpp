@@ -72,8 +72,7 @@ typename LeakGuard<dim>::Found LeakGuard<dim>::keep(const std::array<double*, di
     double nearest = closest;
     for (const int p : walls.patches(in3D(x_i)))
     {
-        if (const auto* mesh = geometry_.patches[std::size_t(p)].mesh; mesh && mesh->body().isBeyond(mesh->local(in3D(x_i)), closest))
-            continue;
+        if (isBeyond(geometry_.patches[std::size_t(p)].mesh, in3D(x_i), closest)) continue;
         const Foot f = geometry_.foot(p, in3D(x_i));
         nearest = std::min(nearest, f.distance);
         if (-f.distance > std::max(closest, found.depth))

@@ -117,6 +117,11 @@ Soil readSoil(const Dictionary& d, const std::string& turning)
     return soil;
 }
 
+bool hasVariables(const SoilLaw& any)
+{
+    return std::visit([]<class Law>(const Law&) { return LawOfState<Law>; }, any);
+}
+
 EntryList variableEntries()
 {
     EntryList entries;

@@ -37,6 +37,9 @@ inline const std::string soilProperties = "constant/soilProperties";
 inline constexpr const char *initialStressKeyword = "initialStress", *confiningPressureKeyword = "confiningPressure",
                             *poreWaterKeyword = "poreWater";
 
+/// Whether a law's state is more than the stress: a void ratio, a softening strain.
+bool hasVariables(const SoilLaw&);
+
 /// The friction angles that act, in words, of laws that have some; else "".
 std::string strengthInWords(const SoilLaw&);
 

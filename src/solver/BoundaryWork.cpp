@@ -20,7 +20,7 @@ void askForBoundaryWork(const Reading& reading)
     const bool moves = std::ranges::any_of(reading.geometry.walls, &WallProperties::moves), opens = facts.get<OpenBoundary>().exists;
     if (!(moves || opens) || facts.get<ConstitutiveStress>().exists || integration.solvesPressure || !integration.moves ||
         integration.maxSubSteps > 1 || (opens && (facts.get<InterfaceForces>().act || settings.coefficients.backgroundPressure != 0)) ||
-        !asksFor(reading.theCase, "conservation"))
+        functionsOfType(reading.theCase, "conservation").empty())
         return;
     settings.facts.give(BoundaryPower{true}, "conservation of system/controlDict");
     if (moves) askForForcesOfWalls(settings);

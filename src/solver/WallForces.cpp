@@ -11,12 +11,9 @@ namespace sph
 void askForWallForces(const Reading& reading)
 {
     auto& settings = reading.settings;
-    const auto functions = reading.theCase.dictionaryIfPresent("system/controlDict").subDictOrEmpty("functions");
     std::set<std::string> walls;
-    for (const auto& name : functions.keys())
+    for (const auto& d : functionsOfType(reading.theCase, forcesType))
     {
-        if (!functions.isDictionary(name) || !functions.subDict(name).isWord("type", forcesType)) continue;
-        const auto d = functions.subDict(name);
         const auto& i = settings.integration;
         if (i.solvesPressure || !i.moves || i.maxSubSteps > 1)
             d.error(

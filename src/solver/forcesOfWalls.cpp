@@ -6,11 +6,13 @@
 namespace sph
 {
 
-bool asksFor(const Case& theCase, const std::string& functionType)
+std::vector<Dictionary> functionsOfType(const Case& theCase, const std::string& type)
 {
     const auto functions = theCase.dictionaryIfPresent("system/controlDict").subDictOrEmpty("functions");
-    return std::ranges::any_of(functions.keys(), [&](const std::string& name)
-                               { return functions.isDictionary(name) && functions.subDict(name).isWord("type", functionType); });
+    std::vector<Dictionary> found;
+    for (const auto& name : functions.keys())
+        if (functions.isDictionary(name) && functions.subDict(name).isWord("type", type)) found.push_back(functions.subDict(name));
+    return found;
 }
 
 std::vector<std::string> forcesOf(const Settings& settings)

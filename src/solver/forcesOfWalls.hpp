@@ -13,8 +13,8 @@ inline constexpr const char* forcesOfWalls = "forces of walls";
 std::vector<std::string> forcesOf(const Settings&);
 /// Adds the group forcesOfWalls to the plan, once.
 void askForForcesOfWalls(Settings&);
-/// Whether a function object of that type is in system/controlDict.
-bool asksFor(const Case&, const std::string& functionType);
+/// The function objects of that type in system/controlDict.
+std::vector<Dictionary> functionsOfType(const Case&, const std::string&);
 
 /// Refreshes the velocities of images: those of a step that solves for viscosity are of its end, and images have those of its start.
 template<int dim> void refreshVelocities(Particles<dim>&);

@@ -15,6 +15,7 @@ template<int dim> typename BoundaryFit<dim>::Sums& BoundaryFit<dim>::Sums::opera
     s2 += b.s2;
     p0 += b.p0;
     p1 += b.p1;
+    flow += b.flow;
     return *this;
 }
 
@@ -33,22 +34,25 @@ typename BoundaryFit<dim>::Sums BoundaryFit<dim>::sumsOf(const FieldStore<dim>& 
                                                          const auto& counts) const
 {
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
-    const double* const p = store.component(Pressure::info.name, 0);
+    const double *const p = store.component(Pressure::info.name, 0), *const m = store.component(Mass::info.name, 0);
+    const auto phase = scene_.phasesOf(store);
     std::size_t count = 0;
-    double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0;
+    double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0, flow = 0;
     for (const int i : near)
     {
         if (!counts(std::size_t(i))) continue;
         const double s = opening.distance(in3D(valueAt<Vector<dim>>(x, std::size_t(i)))), w = weight(s);
+        const double v_n = dot(in3D(valueAt<Vector<dim>>(v, std::size_t(i))), opening.normal);
         ++count;
         n += w;
-        v0 += w * dot(in3D(valueAt<Vector<dim>>(v, std::size_t(i))), opening.normal);
+        v0 += w * v_n;
+        flow += w * v_n * m[i] / scene_.coefficients.restDensity[phase(std::size_t(i))];
         s1 += w * s;
         s2 += w * s * s;
         p0 += w * p[i];
         p1 += w * s * p[i];
     }
-    return {n, v0, s1, p0, s2, double(count), p1};
+    return {n, v0, s1, p0, s2, double(count), p1, flow};
 }
 
 template<int dim>
@@ -111,7 +115,7 @@ std::vector<typename BoundaryFit<dim>::LineSums> BoundaryFit<dim>::sumsOfLines(c
 /// p = a + b s by least squares.
 template<int dim> typename BoundaryFit<dim>::Fit BoundaryFit<dim>::fit(const Opening& opening, double a, const Sums& near) const
 {
-    const auto& [n, v0, s1, p0, s2, count, p1] = near;
+    const auto& [n, v0, s1, p0, s2, count, p1, flow] = near;
     Fit fit{near, a, 0, false};
     const double spread = n * s2 - s1 * s1;
     fit.enough = count > 2 && spread > sqr(0.25 * scene_.coefficients.spacing * n); // more than a row
@@ -140,7 +144,10 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
         given -= 0.5 * placed.density * sqr(back.n > 0 ? std::max(0.0, back.v0 / back.n) : 0);
     }
     const auto all = fit(opening, given, ofAll);
-    placed.inflow = ofAll.n > 0 ? area * ofAll.v0 / ofAll.n : 0;
+    const auto inflow = [&](const Sums& of) {
+        return scene_.fillsInPart ? of.flow / wholeWeight() : ofAll.n > 0 ? area * of.v0 / ofAll.n : 0;
+    };
+    placed.inflow = inflow(ofAll);
     std::vector<Fit> fits;
     for (std::size_t k = 0; k < scene_.phases(); ++k) fits.push_back(fit(opening, given, ofPhase(k)));
     const auto& gas = fits[opening.stream.phase];
@@ -148,7 +155,7 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
     {
         const auto& own = fits[k];
         const auto& used = own.enough ? own : all;
-        placed.inflows[k] = ofAll.n > 0 ? area * own.of.v0 / ofAll.n : 0;
+        placed.inflows[k] = inflow(own.of);
         placed.pressure[k] = used.pressure;
         placed.slope[k] = opening.letsFall() ? 0 : used.slope;
         if (!opening.backflow || k == opening.stream.phase || !gas.enough || own.of.n == 0) continue;

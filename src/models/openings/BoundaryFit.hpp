@@ -6,6 +6,13 @@
 ///                                       with a the given pressure; where density is integrated, the density that goes with it
 ///   drip and flux of a given velocity   p = p(rho), where density is a sum
 ///
+/// The volume flow rate of an outlet is measured over the same particles:
+///
+///   Q = A sum_i w_i v_i.n / sum_i w_i                                   where the fluid fills the plane of area A
+///   Q = sum_i w_i (m_i/rho_0) v_i.n / int_0^H w ds,   w = s (H - s)     where it may end at a free surface, and fill the plane in part
+///
+/// While a particle comes from H to the plane the second adds up to its volume, at whatever velocity it comes.
+///
 /// A drip or a flux is a piston of rows as far apart as at rest: what comes too near to them compresses them, and they push it away as the same liquid would that is free. With
 /// a + b s they did not: gas came as near as half a spacing to the first row, of 1.13 to 1.27 of the density at rest, which then left at seven times its velocity; and a row that is free
 /// and alone gave its own pressure to those behind it, which sped it up to three times theirs (a drip of 5 spacings at 1000:1; another in test OpenScene.WhatDripsInKeepsItsVelocity).
@@ -39,7 +46,8 @@ private:
     /// Weighted sums over the free particles near a plane, with w = `weight`.
     struct Sums
     {
-        double n = 0, v0 = 0, s1 = 0, p0 = 0, s2 = 0, count = 0, p1 = 0; ///< sums of w, w v, w s, w p, w s^2, 1, w s p
+        double n = 0, v0 = 0, s1 = 0, p0 = 0, s2 = 0, count = 0, p1 = 0,
+               flow = 0; ///< sums of w, w v, w s, w p, w s^2, 1, w s p, w v m/rho_0
         Sums& operator+=(const Sums&);
     };
     /// Weighted sums over the free particles near the plane along one line of an outlet, and sums over the buffer particles on it.
@@ -59,6 +67,8 @@ private:
     };
     /// Weight w = s (H - s) [m^2] of a free particle at a distance s from a plane: 0 at the plane and at H, so that particles enter the sums gradually.
     double weight(double s) const { return std::max(0.0, s * (scene_.coefficients.support - s)); }
+    /// int_0^H w ds [m^3]
+    double wholeWeight() const { return sqr(scene_.coefficients.support) * scene_.coefficients.support / 6; }
     Sums sumsOf(const FieldStore<dim>&, const Opening&, std::span<const int> near, const auto& counts) const;
     /// Sums near all openings, over all ranks: `sumsOfOpening()` for each, one over all particles near it and, with several phases, one for each phase.
     std::vector<Sums> sumsNear(const std::vector<PlacedOpening>&, const FieldStore<dim>&, const BufferZone<dim>&) const;

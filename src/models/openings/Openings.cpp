@@ -5,8 +5,8 @@ namespace sph
 
 template<int dim>
 Openings<dim>::Openings(const std::vector<Opening>& openings, const Geometry& geometry, const Coefficients& coefficients,
-                        const State& state, const std::map<std::string, double>& restored, int supports)
-    : scene_{geometry, coefficients, state, supports * coefficients.support + spareDepth * coefficients.spacing},
+                        const State& state, const std::map<std::string, double>& restored, int supports, bool fillsInPart)
+    : scene_{geometry, coefficients, state, supports * coefficients.support + spareDepth * coefficients.spacing, fillsInPart},
       placed_(placeOpenings(openings, scene_)),
       account_(scene_, placed_),
       buffer_(scene_, placed_, account_, restore(restored)),

@@ -23,9 +23,10 @@ namespace sph
 template<int dim> class Openings
 {
 public:
-    /// `restored` holds the numbers that `state` gave; `supports`: depth of the buffer in supports of the kernel. Throws as placeOpenings does.
+    /// `restored` holds the numbers that `state` gave; `supports`: depth of the buffer in supports of the kernel; `fillsInPart` as in OpenScene. Throws as
+    /// placeOpenings does.
     Openings(const std::vector<Opening>&, const Geometry&, const Coefficients&, const State&, const std::map<std::string, double>& restored,
-             int supports = 2);
+             int supports = 2, bool fillsInPart = false);
     Openings(const Openings&) = delete; // its parts refer to one another
 
     /// Removes and inserts particles before the sorting, and returns how many there are now (BufferZone::exchange).

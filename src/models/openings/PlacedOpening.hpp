@@ -18,7 +18,8 @@ struct OpenScene
     const Geometry& geometry;
     const Coefficients& coefficients;
     const State& state;
-    double bufferDepth; ///< depth of the buffer beyond a plane [m]
+    double bufferDepth;       ///< depth of the buffer beyond a plane [m]
+    bool fillsInPart = false; ///< whether the fluid may fill a plane in part: one phase with a free surface
 
     std::size_t phases() const { return coefficients.restDensity.size(); }
     /// Name of a number of one phase: "drainMass", of several phases "drainMass_water".
@@ -44,7 +45,7 @@ struct PlacedOpening
     double most, speed;                  ///< U of an inlet [m/s]: its limit, and its present value
     std::vector<double> pressure, slope; ///< a [Pa] and b [Pa/m] of each phase
     double density = 0;                  ///< rest density of the incoming fluid [kg/m^3]
-    double inflow = 0;                   ///< mean velocity near the plane times the area [m^3/s]
+    double inflow = 0;                   ///< volume flow rate of what is near the plane (BoundaryFit.hpp) [m^3/s]
     std::vector<double> inflows;         ///< inflow of each phase [m^3/s]
     std::vector<double> velocity = {};   ///< velocity of each line [m/s]; infinite where its particles keep what they have
 };

@@ -15,7 +15,8 @@ double sumOf(const std::vector<double>& q) { return std::accumulate(q.begin(), q
 template<int dim>
 RunningOpenings<dim>::RunningOpenings(Particles<dim>& particles, const Numbers& restored, const std::vector<Opening>& openings)
     : openings_(openings, particles.geometry(), particles.coefficients(), particles.settings().state, restored,
-                particles.settings().facts.template get<ForceReach>().supports),
+                particles.settings().facts.template get<ForceReach>().supports,
+                !particles.settings().multiphase() && particles.settings().facts.template get<FreeSurface>().exists),
       phases_(particles.coefficients().phases),
       solvesPressure_(particles.settings().integration.solvesPressure),
       isMeasured_(particles.settings().facts.template get<BoundaryPower>().isMeasured)

@@ -57,8 +57,43 @@ bool inDomain(const OpenScene& scene, const Vector<3>& x, double beyond)
     throw CaseError(opening.where, fmt::format("opening \"{}\" {}", opening.name, what));
 }
 
+std::string text(const Vector<3>& a) { return fmt::format("({:.4g} {:.4g} {:.4g})", a.x, a.y, a.z); }
+
 /// Least distance of a line from walls [spacings]. Lines that are moved are held 0.2 off walls (packing/Relaxation.cpp), to round-off.
 constexpr double leastFromWalls = 0.19;
+
+/// Whether a straight duct of the section leads from the plane out of the domain, before the plane, and with no other opening on the way, or beyond it.
+bool leadsOut(const Opening& opening, bool before, const Section& section, const std::vector<Opening>& all, const OpenScene& scene)
+{
+    constexpr std::size_t looked = 100; // lines
+    constexpr double straight = 0.1;    // change of the distance from walls along a line of a straight duct [spacings]
+    const double spacing = scene.coefficients.spacing;
+    const auto& lines = section.lines();
+    for (std::size_t k = 0; k < lines.size(); k += 1 + lines.size() / looked)
+    {
+        const auto& foot = lines[k].foot;
+        const double fromWalls = scene.geometry.distance(foot);
+        for (double s = spacing;; s += spacing)
+        {
+            const auto x = foot + (before ? s : -s) * opening.normal;
+            if (!inDomain(scene, x, 0)) break;
+            if (std::abs(scene.geometry.distance(x) - fromWalls) > straight * spacing) return false;
+            for (const auto& other : all)
+                if (before && &other != &opening && other.distance(x) < 0 && other.faces(x, scene.coefficients.dimension)) return false;
+        }
+    }
+    return true;
+}
+
+/// An opening has a duct beyond its plane that leads out of the domain: where there is one before the plane alone, the normal points the wrong way.
+void checkSide(const Opening& opening, const Section& section, const std::vector<Opening>& all, const OpenScene& scene)
+{
+    if (section.lines().empty() || !leadsOut(opening, true, section, all, scene) || leadsOut(opening, false, section, all, scene)) return;
+    fail(opening,
+         fmt::format("has the normal {}, which points out of the scene: before the plane a straight duct leads out of the domain, and "
+                     "beyond it none does. It must point into the scene: {}",
+                     text(opening.normal), text(Vector<3>{} - opening.normal)));
+}
 
 void checkDuct(const Opening& opening, const Section& section, const OpenScene& scene)
 {
@@ -69,17 +104,20 @@ void checkDuct(const Opening& opening, const Section& section, const OpenScene& 
                                   "or make it wider",
                                   section.width(), c.support, section.width() / c.support * c.spacing));
     for (const auto& line : section.lines())
+    {
+        // Less round-off: a domain may be exactly as deep.
+        if (!inDomain(scene, line.foot - scene.bufferDepth * opening.normal, (1 + 1e-9) * c.support))
+            fail(opening, fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there: the domain of "
+                                      "constant/geometry, {} to {}, ends before",
+                                      scene.bufferDepth - c.support, text(scene.geometry.low), text(scene.geometry.high)));
         for (double s = 0; s < scene.bufferDepth; s += c.spacing)
         {
             const auto x = line.foot - s * opening.normal;
-            if (!inDomain(scene, x, c.support))
-                fail(opening, fmt::format("needs {:.4g} m of domain beyond its plane, for the particles that are held there",
-                                          scene.bufferDepth - c.support));
             if (scene.geometry.distance(x) < leastFromWalls * c.spacing)
-                fail(opening,
-                     fmt::format("has a wall at ({:.4g} {:.4g} {:.4g}): its duct must go on straight for {:.4g} m beyond the plane", x.x,
-                                 x.y, x.z, scene.bufferDepth));
+                fail(opening, fmt::format("has a wall at {}: its duct must go on straight for {:.4g} m beyond the plane", text(x),
+                                          scene.bufferDepth));
         }
+    }
 }
 
 /// The profile and the layers of what comes in fit the section and its walls.
@@ -124,7 +162,8 @@ void checkNormal(const PlacedOpening& placed, const std::vector<PlacedOpening>& 
 {
     const auto& opening = placed.opening;
     const double depth = scene.bufferDepth, spacing = scene.coefficients.spacing;
-    const auto wrong = [&](const std::string& what) { fail(opening, fmt::format("has {}: its normal must point into the scene", what)); };
+    const auto wrong = [&](const std::string& what)
+    { fail(opening, fmt::format("has {}: its normal, {}, must point into the scene", what, text(opening.normal))); };
     for (const auto& other : all)
         if (std::ranges::any_of(other.section.lines(),
                                 [&](const auto& line) {
@@ -153,6 +192,7 @@ std::vector<PlacedOpening> placeOpenings(const std::vector<Opening>& openings, c
     {
         const auto plane = planeOf(opening, openings);
         const Section section(opening, scene.geometry, c.spacing, plane ? &*plane : nullptr);
+        checkSide(opening, section, openings, scene);
         checkDuct(opening, section, scene);
         checkStream(opening, section, scene);
         const auto asked = rateOf(opening, section);

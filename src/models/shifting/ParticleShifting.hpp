@@ -108,18 +108,17 @@ struct SurfaceShifting
 
 /// Shifting inside a liquid alone, whose gas is left out (models/gas): less and less towards its free surface.
 ///
-///   shift_i = -2 V_i g_i max(0, 1 - t_i/t_s),     g = sum_j gradW_ij,    t_s = 0.1
+///   shift_i = -2 V_i g_i e_i,     g = sum_j gradW_ij
 ///
-/// g [1/m^(d + 1)] and the share t [-] of the surface are those of the completed density (models/gas/CompletedDensity.hpp): no sum is made for it. Liquid that is sheared on and on, as in drops that run along a wall, without any pressure to speak of otherwise comes to
+/// e [-] is the share of the interior (InteriorShare). g [1/m^(d + 1)] and the share t [-] of the surface, which e is of, are those of the completed density (models/gas/CompletedDensity.hpp): no sum is made for it. Liquid that is sheared on and on, as in drops that run along a wall, without any pressure to speak of otherwise comes to
 /// lie in lines with gaps between them, and each gap is taken for a surface.
 struct InteriorShifting
 {
     static constexpr auto name = "interiorShifting";
     using Provides = ShiftDirection;
     using ReadsOwn = Fields<Volume, SlopeSum, SurfaceShare>;
-    static constexpr double insideUpTo = 0.1; ///< t_s
 
-    auto operator()(const auto& i) const { return -2 * i.V * std::fmax(0.0, 1 - i.t / insideUpTo) * i.g; }
+    auto operator()(const auto& i) const { return -2 * i.V * InteriorShare::of(i.t) * i.g; }
 };
 
 }

@@ -80,13 +80,12 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
     if (place != (levels_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
     const auto& law = particles_.coefficients().template of<Soil>().law;
-    const bool hasVariables = std::visit([]<class Law>(const Law&) { return LawOfState<Law>; }, law),
-               hasDensity = particles_.settings().facts.template get<DensityOfModel>().exists;
+    const bool hasDensity = particles_.settings().facts.template get<DensityOfModel>().exists;
     return {{"stress",
-             hasDensity     ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
-             : hasVariables ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables with it, in substeps"
-             : levels_      ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
-                            : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
+             hasDensity          ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
+             : hasVariables(law) ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables with it, in substeps"
+             : levels_           ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
+                                 : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
              {ofStrain}}};
 }

@@ -87,11 +87,6 @@ bool isTensionless(const Soil& soil)
     return std::visit([]<class Law>(const Law&) { return Law::tensionless; }, soil.law);
 }
 
-bool hasVariables(const Soil& soil)
-{
-    return std::visit([]<class Law>(const Law&) { return LawOfState<Law>; }, soil.law);
-}
-
 std::optional<double> earthPressureOf(const Soil& soil)
 {
     const auto* law = std::get_if<WuBauer>(&soil.law);
@@ -432,7 +427,7 @@ const Model& soilModel()
          {"walls", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.has(entry::walls, "layers"); },
           "pore water meets walls by ghosts that mirror the soil: take walls reflected"},
          {"integration",
-          [](const Settings& s) { return isSoil(s) && s.coefficients.has<TwoLevels>() && hasVariables(s.coefficients.of<Soil>()); },
+          [](const Settings& s) { return isSoil(s) && s.coefficients.has<TwoLevels>() && hasVariables(s.coefficients.of<Soil>().law); },
           "the state variables of this law live at one level of time: take scheme symplecticEuler or leapfrog"}},
         {},
         {{soilProperties,

@@ -108,9 +108,9 @@ template<int dim> struct ForceAndSlope
 
 /// Force of surface tension at a free surface:
 ///
-///   dv_i/dt = -1/m_i [ (gamma kappa_i - min(p_i, 0) (1 - t_i/t_s)+) sum_j (V_i^2 + V_j^2) gradW_ij - gamma V_i 2 L_i grad_s kappa_i ]
+///   dv_i/dt = -1/m_i [ (gamma kappa_i - min(p_i, 0) e_i) sum_j (V_i^2 + V_j^2) gradW_ij - gamma V_i 2 L_i grad_s kappa_i ]
 ///
-/// grad_s kappa = B^-1 sum_j w_ij (kappa_j - kappa_i) P (y_j - y_i) with P, B, w as in FreeSurfaceCurvature; L = 1 - s what a plane surface lacks, 0.5 at it and 0 inside.
+/// grad_s kappa = B^-1 sum_j w_ij (kappa_j - kappa_i) P (y_j - y_i) with P, B, w as in FreeSurfaceCurvature; L = 1 - s what a plane surface lacks, 0.5 at it and 0 inside; e_i the share of the interior (InteriorShare).
 ///
 /// The first sum is 0 inside, and that of a pressure gamma |kappa| beyond the surface at it. It acts over a depth, f = -gamma kappa phi(z) n with phi = 2 int W dA and int phi dz = 1, where surface tension is a pressure
 /// at the surface: f = grad(gamma kappa 2 L) - gamma 2 L grad_s kappa, a pressure of -gamma kappa at the surface and a force along it. The second term takes that away: with the first alone a drop of n lobes has
@@ -119,7 +119,7 @@ template<int dim> struct ForceAndSlope
 /// The slope is 0 where det B is below 1e-3 (tr B)^d, and 1/dx^2 at most: a particle in a corner that sees hardly more than its own images has none, and was thrown at 8e4 m/s.
 ///
 /// Below the pressure of the gas, p < 0, that of Hu & Adams pulls each particle to where its neighbours are denser: lines of particles and voids between them form, and each void is taken for a surface (tensile instability: Swegle, Hicks &
-/// Attaway 1995). Inside, t < t_s, the term with p makes of it -sum_j (p_j - p_i) V_j^2 gradW_ij, which is 0 where p is uniform however the particles lie (the control of Sun et al. (2018), as in TensileControlledPressure of models/pressure); at the surface p keeps the
+/// Attaway 1995). Inside, e > 0, the term with p makes of it -sum_j (p_j - p_i) V_j^2 gradW_ij, which is 0 where p is uniform however the particles lie (the control of Sun et al. (2018), as in TensileControlledPressure of models/pressure); at the surface p keeps the
 /// form that balances tension. A column between plates that it wets at 60 degrees keeps 0.1 J of motion without it, and 1e-6 J with it.
 ///
 /// With (kappa_i + kappa_j)/2 pairs would conserve momentum, but the force were that of a pressure which ends at the surface, and would move nothing; FreeBodies.hpp
@@ -131,7 +131,6 @@ struct FreeSurfaceForce
     using ReadsOwn = Fields<Mass, SurfaceLack, Pressure>;
     static constexpr bool readsKernel = true;
     static constexpr double leastDeterminant = 1e-3; ///< of B over the power of its trace: a particle in a corner sees its own images alone
-    static constexpr double insideUpTo = 0.1;        ///< t_s, by columns that hang between plates (models/gas/README.md)
     double gamma, most;                              ///< [N/m]; of the slope [1/m^2]
 
     explicit FreeSurfaceForce(const Coefficients& c) : gamma(tensionsOf(c).largest()), most(1 / sqr(c.spacing)) {}
@@ -149,7 +148,7 @@ struct FreeSurfaceForce
         const double det = determinant(B), tiny = 1e-300;
         const auto fitted = (det > leastDeterminant * std::pow(trace(B), dim) + tiny ? 1 / det : 0.0) * (adjugate(B) * sum.b);
         const auto slope = std::fmin(1.0, most / (mag(fitted) + tiny)) * fitted;
-        const double suction = std::fmin(i.p, 0.0) * std::fmax(0.0, 1 - i.t / insideUpTo);
+        const double suction = std::fmin(i.p, 0.0) * InteriorShare::of(i.t);
         return -1 / i.m * ((gamma * i.kappa - suction) * sum.force - 2 * gamma * i.lack * i.V * slope);
     }
 };

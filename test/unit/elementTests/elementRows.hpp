@@ -1,6 +1,7 @@
 /// Rows of one element test, as the dictionaries of a case would have it.
 #pragma once
 #include "TestCase.hpp"
+#include "elementTests/readCalibration.hpp"
 #include "elementTests/readElementTests.hpp"
 #include "soilTesting.hpp"
 

@@ -108,7 +108,7 @@ TEST(Figures, NumbersAndRuns)
     EXPECT_EQ(firstLine("t { against x; runs (\"run/workPrecision/{v w}/{8}\"); named ( a { law 4; } ); table conservation;"
                         " numbers { K0 { operation first; value \"$kineticEnergy\"; } }"
                         " figures ( { name \"ratio [-]\"; value \"$kineticEnergy/$K0\"; } { name law; value \"$law\"; } ); }"),
-              "v 8,ratio,2.25,-; a,ratio,2.25,-; a,law,4,-; not run: w 8");
+              "v 8,ratio,2.25,-; a,ratio,2.25,-; a,law,4,-; not run: run/workPrecision/w/8");
     EXPECT_EQ(firstLine(
                   "t { against x; runs (\"run/workPrecision/{*}/{*}\"); name \"<2> of <1>\"; figures ( { name n; value \"2\"; } ); }"),
               "8 of v,n,2,-");

@@ -236,6 +236,45 @@ TEST(Openings, EmptyTheDuctFarBeyond)
     EXPECT_NEAR(openings.imbalance(scene.store).mass.at(0), -particle / (2 * (7 - 2 * depth)), 1e-15);
 }
 
+// A stream that fills three tenths of a drain in lumps: its flow is that of what is there and not of the whole section, and over the time that lumps take to pass
+// what has passed, to the rule by which steps are summed.
+TEST(Openings, MeasureTheFlowOfAStreamThatFillsThemInPart)
+{
+    Scene scene;
+    for (const double from : {0.0, 0.3}) scene.fill(from, from + 0.2, 1, 0);
+    for (std::size_t i = 0; i < scene.owned; ++i)
+        if (scene.store.component("positions", 1)[i] > 0.3) scene.store.component("m", 0)[i] = 0;
+    Openings<2> openings({outlet(0)}, scene.geometry, scene.c, scene.evolving, {}, 2, true);
+    scene.exchange(openings);
+    double volume = 0, largest = 0;
+    for (int step = 0; step < 1100; ++step)
+    {
+        scene.drift(0.001);
+        scene.exchange(openings);
+        openings.drive(scene.store, 0.001);
+        const auto flow = openings.flows().at(0);
+        EXPECT_NEAR(flow.flowRate, flow.flowRates.at(0), 1e-15);
+        volume += 0.001 * flow.flowRate;
+        largest = std::max(largest, -flow.flowRate);
+    }
+    EXPECT_NEAR(openings.flows().at(0).mass.at(0), -2 * 0.3 * 0.4, 1e-12);
+    EXPECT_NEAR(volume, -0.3 * 0.4, 1e-4 * 0.3 * 0.4);
+    EXPECT_LT(largest, 1.05 * 0.3);
+}
+
+void refuses(const Opening& opening, const Geometry& geometry, const std::string& word)
+{
+    try
+    {
+        Openings<2>({opening}, geometry, coefficients(), stateOfPowder(), {});
+        FAIL() << "no error with " << word;
+    }
+    catch (const CaseError& e)
+    {
+        EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
+    }
+}
+
 // Normals to the wrong side: beyond the one opening lies the other, and the end of the domain is nearer than what would be held reaches.
 TEST(Openings, PointIntoTheScene)
 {
@@ -259,6 +298,29 @@ TEST(Openings, PointIntoTheScene)
     far.point.x = 1.4;
     refused({gate, far}, -1, "has \"vent\" beyond its plane");
     refused({gate}, -0.4, "has 0.4 m of scene before its plane, less than the 0.6 m that it holds beyond");
+}
+
+// A gate in a runner between the end of a mould and that of the domain: pointed out of the mould it has as much scene before it as it holds, and is refused all the same; so is one at
+// whose rear the domain cuts the runner shorter than what is held reaches, by less than a spacing.
+TEST(Openings, PointOutOfARunner)
+{
+    const auto mould = [](double runner)
+    {
+        auto geometry = duct(
+            "dimension 2; domain { min (-1 0 0); max (2 1 0); } walls { low { type plane; point (0 0 0); normal (0 1 0); } high { type "
+            "plane; point (0 1 0); normal (0 -1 0); } end { type plane; point (1.9 0 0); normal (-1 0 0); } }");
+        geometry.low.x = -runner;
+        return geometry;
+    };
+    auto gate = gateOf(0);
+    EXPECT_EQ(Openings<2>({gate}, mould(1), coefficients(), stateOfPowder(), {}).flows().size(), 1u);
+    refuses(gate, mould(depth - H - 0.05),
+            "needs 0.35 m of domain beyond its plane, for the particles that are held there: the domain of "
+            "constant/geometry, (-0.3 0 0) to (2 1 1), ends before");
+    gate.normal = {-1, 0, 0};
+    refuses(gate, mould(1),
+            "has the normal (-1 0 0), which points out of the scene: before the plane a straight duct leads out of the domain, and "
+            "beyond it none does. It must point into the scene: (1 0 0)");
 }
 
 // Density of buffer particles, where density is integrated, by Tait's law for the held pressure: rho = rho_0 (1 + p/B)^(1/n).
@@ -644,19 +706,6 @@ TEST(Openings, HoldOneLatticeFromTheStart)
                 EXPECT_NEAR(openings.flows().at(1).area, 2 * radius, 1e-9);
                 for (const double off : openings.imbalance(scene.store).mass) EXPECT_LT(std::abs(off), 1e-14);
             }
-}
-
-void refuses(const Opening& opening, const Geometry& geometry, const std::string& word)
-{
-    try
-    {
-        Openings<2>({opening}, geometry, coefficients(), stateOfPowder(), {});
-        FAIL() << "no error with " << word;
-    }
-    catch (const CaseError& e)
-    {
-        EXPECT_NE(std::string(e.what()).find(word), std::string::npos) << e.what();
-    }
 }
 
 TEST(Openings, MustFitTheirScene)

@@ -2,6 +2,7 @@
 #include "base/CommandLine.hpp"
 #include "base/OutputFile.hpp"
 #include "elementTests/calibrate.hpp"
+#include "elementTests/readCalibration.hpp"
 #include "elementTests/readElementTests.hpp"
 #include "elementTests/writeElementTests.hpp"
 #include "sweeps/ChildProcess.hpp"

@@ -32,6 +32,15 @@ int printValue(const std::filesystem::path& path, const Options& options)
     return 0;
 }
 
+/// A line on the runs of the tables that have not been made; a case has more of them than are made at a time.
+std::string notRun(std::vector<std::string> folders)
+{
+    if (folders.empty()) return "";
+    const std::size_t all = folders.size(), shown = 3;
+    folders.resize(std::min(all, shown));
+    return fmt::format("\nNot run: {}{}\n", fmt::join(folders, ", "), all > shown ? fmt::format(" and {} more", all - shown) : "");
+}
+
 int run(const std::filesystem::path& path, const Options& options)
 {
     const sph::Case theCase(path);
@@ -46,19 +55,21 @@ int run(const std::filesystem::path& path, const Options& options)
 
     const auto version = sph::version().commit.empty() ? sph::version().number : sph::version().commit;
     std::size_t lines = 0;
+    std::vector<std::string> missing;
     for (const auto& plan : plans)
     {
         const bool asked = std::ranges::find(options.tables, plan.name) != options.tables.end();
         if (!options.tables.empty() && !asked) continue;
         const auto table = sph::makeFigures(theCase.folder(), plan);
         fmt::print("{}", table.text);
-        if (!table.missing.empty())
-            fmt::print("{}not run: {}\n", table.text.empty() ? "\n" + plan.name + ": " : "", fmt::join(table.missing, ", "));
+        for (const auto& each : table.missing)
+            if (std::ranges::find(missing, each) == missing.end()) missing.push_back(each);
         if (table.lines == 0 && asked) throw sph::CaseError(plan.dict.location(), "none of its runs has been made");
         if (!options.unrecorded) sph::recordFigures(theCase.folder(), table.recorded, version, sph::machineName());
         lines += table.lines;
     }
     if (lines == 0) throw sph::CaseError({sph::figuresDictionary, 0}, "none of the runs has been made");
+    fmt::print("{}", notRun(missing));
     return 0;
 }
 

@@ -57,6 +57,7 @@ int main(int argc, char** argv)
             const auto plan = sph::readPackingPlan(theCase);
             const auto packing = sph::pack(plan);
             sph::writePacking(theCase, time, plan, packing, options);
+            sph::warnOfCrowd(plan, packing, theCase.diagnostics());
             for (const auto& line : theCase.diagnostics().warnings()) fmt::print("Warning: {}\n", line);
             fmt::print("{}\nWritten to {}/lagrangian/sph\n\nEnd\n", sph::report(plan, packing), time);
             return 0;
