@@ -150,8 +150,8 @@ void writeUpTo(vtkRenderer* renderer, const std::string& text, double right, dou
 
 void addColourBar(vtkRenderer* renderer, const Scene& scene, const std::string& title, vtkScalarsToColors* colours)
 {
-    // A label, as -1.23e+05, needs some 80 pixels beside the bar whatever the size of the picture is.
-    const double width = std::max(0.09, 110.0 / scene.size[0]), bottom = 0.2, height = 0.6;
+    // A label, as -1.23e+05, needs some 80 pixels beside the bar: more of a narrower picture, as long as the bar does not stand in it.
+    const double width = std::clamp(100.0 / scene.size[0], 0.09, 0.11), bottom = 0.2, height = 0.6;
     vtkNew<vtkScalarBarActor> bar;
     bar->SetLookupTable(colours);
     bar->SetNumberOfLabels(5);

@@ -33,7 +33,7 @@ Camera readCamera(const Dictionary& dict, const SurfaceCase& scene)
     return camera;
 }
 
-/// By default an upright plane, so that what is up in the scene is up in the picture: nobody looks along gravity.
+/// The default plane is upright, so that what is up in the scene is up in the picture: nobody looks along gravity.
 CutPlane readPlane(const Dictionary& dict, const Vector<3>& up, const Geometry& geometry)
 {
     const bool zIsUp = std::abs(up.z) > 0.8 * mag(up);
