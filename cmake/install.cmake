@@ -30,6 +30,26 @@ target_compile_features(functionObjects INTERFACE $<INSTALL_INTERFACE:cxx_std_20
 target_link_libraries(functionObjects INTERFACE fmt::fmt OpenMP::OpenMP_CXX)
 install(TARGETS functionObjects EXPORT ${PROJECT_NAME})
 
+# What has to be built before.
+set(files "")
+sph_rooms_below(sampling archives COMPILED)
+foreach(each ${programs} sphRanks sphVerification sphVoxels ${archives})
+    string(APPEND files "        \"$<TARGET_FILE:${each}>\"\n")
+endforeach()
+file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/requireWholeBuild.cmake CONTENT "set(missing \"\")
+foreach(file
+${files}    )
+    if(NOT EXISTS \"\${file}\")
+        cmake_path(GET file FILENAME name)
+        list(APPEND missing \${name})
+    endif()
+endforeach()
+if(missing)
+    list(JOIN missing \" \" names)
+    message(FATAL_ERROR \"nothing is installed: \${names} not built. Build everything first: etc/setup\")
+endif()
+")
+
 include(CMakePackageConfigHelpers)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/${PROJECT_NAME})
 install(EXPORT ${PROJECT_NAME} NAMESPACE ${PROJECT_NAME}:: FILE ${PROJECT_NAME}Targets.cmake DESTINATION ${package})

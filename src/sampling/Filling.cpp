@@ -39,20 +39,30 @@ TableInfo Filling::table()
             {column::filled, column::reached, column::minPhi, column::maxPhi}};
 }
 
-Vector<3> Filling::centre(int i, int k, int l, double spacing) const
+Vector<3> Filling::centre(int i, int k, int l) const
 {
-    return box_.low + spacing * Vector<3>{i + 0.5, k + 0.5, context_.geometry.dimension == 3 ? l + 0.5 : 0};
+    return box_.low + Vector<3>{(i + 0.5) * step_.x, (k + 0.5) * step_.y, context_.geometry.dimension == 3 ? (l + 0.5) * step_.z : 0};
 }
 
 void Filling::findCavity(double spacing)
 {
     for (int c = 0; c < context_.geometry.dimension; ++c)
-        n_[c] = std::max(1, int(std::lround((box_.high.*component(c) - box_.low.*component(c)) / spacing)));
+    {
+        const double length = box_.high.*component(c) - box_.low.*component(c);
+        n_[c] = std::max(1, int(std::lround(length / spacing)));
+        step_.*component(c) = length / n_[c];
+    }
     cavity_.resize(std::size_t(n_[0]) * n_[1] * n_[2]);
     std::size_t at = 0;
     for (int l = 0; l < n_[2]; ++l)
         for (int k = 0; k < n_[1]; ++k)
-            for (int i = 0; i < n_[0]; ++i, ++at) cavity_[at] = context_.geometry.distance(centre(i, k, l, spacing)) > 0;
+            for (int i = 0; i < n_[0]; ++i, ++at)
+            {
+                const double distance = context_.geometry.distance(centre(i, k, l));
+                cavity_[at] = distance > 0;
+                volume_ += std::clamp(0.5 + distance / spacing, 0.0, 1.0);
+            }
+    volume_ *= step_.x * step_.y * step_.z;
     samples_ = double(std::count(cavity_.begin(), cavity_.end(), true));
 }
 
@@ -63,7 +73,8 @@ double Filling::shareReached(const ParticleView& view) const
     for (std::size_t p = 0; p < view.n; ++p)
     {
         if (!view.inScene(p)) continue;
-        const auto q = (position(view, p) - box_.low) / view.spacing;
+        const auto from = position(view, p) - box_.low;
+        const Vector<3> q{from.x / step_.x, from.y / step_.y, from.z / step_.z};
         if (!contains({{-1, -1, -1}, {n_[0] + 1.0, n_[1] + 1.0, n_[2] + 1.0}}, q, context_.geometry.dimension)) continue;
         const int i_p = int(std::floor(q.x)), k_p = int(std::floor(q.y)), l_p = flat ? 0 : int(std::floor(q.z));
         for (int l = flat ? 0 : l_p - 1; l <= (flat ? 0 : l_p + 1); ++l)
@@ -71,7 +82,7 @@ double Filling::shareReached(const ParticleView& view) const
                 for (int i = i_p - 1; i <= i_p + 1; ++i)
                 {
                     if (i < 0 || k < 0 || l < 0 || i >= n_[0] || k >= n_[1] || l >= n_[2]) continue;
-                    auto by = position(view, p) - centre(i, k, l, view.spacing);
+                    auto by = position(view, p) - centre(i, k, l);
                     if (flat) by.z = 0;
                     if (mag(by) <= view.spacing) reached[(std::size_t(l) * n_[1] + k) * n_[0] + i] = true;
                 }
@@ -90,7 +101,7 @@ void Filling::execute(const ParticleView& view)
     const double volume = sum(view.n, [&](std::size_t i) { return inBox(i) ? view.mass[i] / view.restDensity[phaseOf(view, i)] : 0; });
     leastPhi_ = least(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : infinity; });
     mostPhi_ = most(view.n, [&](std::size_t i) { return phi && inBox(i) ? phi->component[0][i] : -infinity; });
-    filled_ = volume / (samples_ * std::pow(view.spacing, context_.geometry.dimension));
+    filled_ = volume / volume_;
     reached_ = shareReached(view);
     if (!fillTime_ && reached_ >= level_) fillTime_ = view.time;
     TableRow row;

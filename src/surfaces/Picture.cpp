@@ -134,28 +134,42 @@ vtkSmartPointer<vtkScalarsToColors> coloursOf(const Points& points)
     return scaleOf(*least, *most, points.range);
 }
 
-void addColourBar(vtkRenderer* renderer, const std::string& title, vtkScalarsToColors* colours)
+/// A line of text that ends at `right`, in pixels of the picture from its lower left corner: it grows to the left and is never cut off by the edge.
+void writeUpTo(vtkRenderer* renderer, const std::string& text, double right, double bottom, int fontSize)
 {
+    vtkNew<vtkTextActor> actor;
+    actor->SetInput(text.c_str());
+    actor->SetPosition(oversampling * right, oversampling * bottom);
+    auto* property = actor->GetTextProperty();
+    property->SetJustificationToRight();
+    property->SetFontFamilyToArial();
+    property->SetFontSize(fontSize * oversampling);
+    property->SetColor(ink[0], ink[1], ink[2]);
+    renderer->AddActor2D(actor);
+}
+
+void addColourBar(vtkRenderer* renderer, const Scene& scene, const std::string& title, vtkScalarsToColors* colours)
+{
+    // A label, as -1.23e+05, needs some 80 pixels beside the bar: more of a narrower picture, as long as the bar does not stand in it.
+    const double width = std::clamp(100.0 / scene.size[0], 0.09, 0.11), bottom = 0.2, height = 0.6;
     vtkNew<vtkScalarBarActor> bar;
     bar->SetLookupTable(colours);
-    bar->SetTitle((title + "\n ").c_str());
     bar->SetNumberOfLabels(5);
     bar->SetLabelFormat("%.3g");
-    bar->SetPosition(0.9, 0.2);
-    bar->SetWidth(0.09);
-    bar->SetHeight(0.6);
+    bar->SetPosition(0.99 - width, bottom);
+    bar->SetWidth(width);
+    bar->SetHeight(height);
     bar->SetBarRatio(0.25);
     bar->UnconstrainedFontSizeOn();
-    for (auto* text : {bar->GetTitleTextProperty(), bar->GetLabelTextProperty()})
-    {
-        text->SetColor(ink[0], ink[1], ink[2]);
-        text->SetFontFamilyToArial();
-        text->SetFontSize(16 * oversampling);
-        text->ItalicOff();
-        text->BoldOff();
-        text->ShadowOff();
-    }
+    auto* text = bar->GetLabelTextProperty();
+    text->SetColor(ink[0], ink[1], ink[2]);
+    text->SetFontFamilyToArial();
+    text->SetFontSize(16 * oversampling);
+    text->ItalicOff();
+    text->BoldOff();
+    text->ShadowOff();
     renderer->AddActor2D(bar);
+    writeUpTo(renderer, title, scene.size[0] - 14, (bottom + height) * scene.size[1] + 22, 16);
 }
 
 /// Surface and cuts in the colours of the values at their points, opaque, so that a colour is what the bar says.
@@ -185,7 +199,7 @@ void addColouredLiquid(vtkRenderer* renderer, const Scene& scene)
         actor->GetProperty()->SetDiffuse(0.7);
         renderer->AddActor(actor);
     }
-    addColourBar(renderer, scene.liquidColours->title, colours);
+    addColourBar(renderer, scene, scene.liquidColours->title, colours);
 }
 
 void addLiquid(vtkRenderer* renderer, const Scene& scene)
@@ -235,33 +249,23 @@ void addContour(vtkRenderer* renderer, const Scene& scene)
     renderer->AddActor(actor);
 }
 
-/// Names of the phases in their colours, one below the other.
+/// Names of the phases with their colours, one below the other.
 void addLegend(vtkRenderer* renderer, const Scene& scene)
 {
     for (std::size_t k = 0; k < scene.points.phases.size(); ++k)
     {
-        auto colour = phaseColours[k % std::size(phaseColours)];
-        const double top = scene.size[1] - 60 - 28 * double(k);
-        const auto write = [&](const std::string& text, double x, const Colour& c)
-        {
-            vtkNew<vtkTextActor> actor;
-            actor->SetInput(text.c_str());
-            actor->SetPosition(oversampling * x, oversampling * top);
-            actor->GetTextProperty()->SetFontFamilyToArial();
-            actor->GetTextProperty()->SetFontSize(18 * oversampling);
-            actor->GetTextProperty()->SetColor(c[0], c[1], c[2]);
-            renderer->AddActor2D(actor);
-        };
+        const auto& colour = phaseColours[k % std::size(phaseColours)];
+        const double right = scene.size[0] - 14, bottom = scene.size[1] - 60 - 28 * double(k);
         vtkNew<vtkTextActor> patch;
         patch->SetInput("    ");
-        patch->SetPosition(oversampling * (scene.size[0] - 150), oversampling * top);
+        patch->SetPosition(oversampling * (right - 26), oversampling * bottom);
         patch->GetTextProperty()->SetFontSize(18 * oversampling);
         patch->GetTextProperty()->SetBackgroundColor(colour[0], colour[1], colour[2]);
         patch->GetTextProperty()->SetBackgroundOpacity(1);
         patch->GetTextProperty()->FrameOn();
         patch->GetTextProperty()->SetFrameColor(ink[0], ink[1], ink[2]);
         renderer->AddActor2D(patch);
-        write(scene.points.phases[k], scene.size[0] - 110, ink);
+        writeUpTo(renderer, scene.points.phases[k], right - 36, bottom, 18);
     }
 }
 
@@ -313,7 +317,7 @@ void addPoints(vtkRenderer* renderer, const Scene& scene)
     actor->SetMapper(mapper);
     if (scene.dimension == 2) flat(actor);
     renderer->AddActor(actor);
-    if (points.phases.empty()) addColourBar(renderer, points.title, colours);
+    if (points.phases.empty()) addColourBar(renderer, scene, points.title, colours);
     else addLegend(renderer, scene);
 }
 

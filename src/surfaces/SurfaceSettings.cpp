@@ -33,9 +33,12 @@ Camera readCamera(const Dictionary& dict, const SurfaceCase& scene)
     return camera;
 }
 
-CutPlane readPlane(const Dictionary& dict, const Geometry& geometry)
+/// The default plane is upright, so that what is up in the scene is up in the picture: nobody looks along gravity.
+CutPlane readPlane(const Dictionary& dict, const Vector<3>& up, const Geometry& geometry)
 {
-    return {entry::point(dict, 0.5 * (geometry.low + geometry.high)), entry::normal(dict)};
+    const bool zIsUp = std::abs(up.z) > 0.8 * mag(up);
+    return {entry::point(dict, 0.5 * (geometry.low + geometry.high)),
+            entry::normal(dict, zIsUp ? Vector<3>{0, -1, 0} : Vector<3>{0, 0, 1})};
 }
 
 PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, const Geometry& geometry)
@@ -65,10 +68,10 @@ PictureSettings readPicture(const Dictionary& dict, const SurfaceCase& scene, co
         else entry::range.error(dict, "must be the least and the largest value, as in (0 1)");
     }
     picture.smoothing = entry::pictureSmoothing(dict);
-    picture.plane = readPlane(entry::plane(dict), geometry);
+    picture.plane = readPlane(entry::plane(dict), picture.camera.up, geometry);
     picture.allParticles = entry::shownParticles(dict) == "all";
     const auto cut = entry::cut(dict);
-    if (entry::cut.given(dict)) picture.cut = readPlane(cut, geometry);
+    if (entry::cut.given(dict)) picture.cut = readPlane(cut, picture.camera.up, geometry);
     picture.wallOpacity = entry::wallOpacity(dict);
     picture.scaleBar = entry::scaleBar(dict);
     picture.framesPerSecond = entry::framesPerSecond(dict);

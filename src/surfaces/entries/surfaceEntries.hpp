@@ -44,7 +44,7 @@ const Count smoothing{"smoothing", 0, nonNegative.saying("must not be negative")
 
 const SubDictionary picture{"picture", byScene("all defaults"), "the picture of a time"},
     camera{"camera", byScene("sees the whole domain"), "the camera"},
-    plane{"plane", byScene("through the middle, across z"), "in 3-D particles are shown on this cut"},
+    plane{"plane", byScene("through the middle"), "in 3-D particles are shown on this cut"},
     cut{"cut", byScene("nothing is cut"), "in 3-D, what lies before this plane, on the side that its normal points to, is left out"};
 const ListOf<int> size{"size", std::vector<int>{1200, 900}, "width and height in pixels, each from 16 to 8000"};
 const VectorParameter position{"position", units::m, byScene("so that the whole domain is seen"), "where the camera is"},
@@ -57,7 +57,7 @@ const Scalar zoom{"zoom", units::none, 1, positive, "enlargement"},
 const Word colourBy{"colourBy", byScene("phase of the particles where there are several, else U; the surface's own colour"),
                     "what colours the particles or, where they are not shown, the surface: a field, or phase of particles"};
 const ListOf<double> range{"range", byScene("each picture's own"), "least and largest value of the colours"};
-const Direction normal{"normal", Vector<3>{0, 0, 1}, "of the cut"};
+const Direction normal{"normal", byScene("(0 0 1); where z is up in the picture (0 -1 0)"), "of the cut, towards the camera"};
 const Text title{"title", "", "above the picture"};
 const Switch showTime{"showTime", true, "write the time into the picture"};
 }

@@ -177,6 +177,26 @@ TEST(Filling, countsWhatWallsLeave)
     EXPECT_EQ(f.reports.at(0), "cavity: 2.0000 of the cavity by volume, 1.0000 reached, filled to 0.99 at 0 s");
 }
 
+// A ball in a box that is no whole number of spacings long, 6 and 12 spacings to its radius: shares of cells have 0.4 and 0.2 % more than its volume. Whole
+// cells, those whose middle is in it, have 2.5 % more with 6.
+TEST(Filling, hasTheVolumeOfTheCavity)
+{
+    for (const double n : {6.0, 12.0})
+    {
+        Functions f;
+        Particles particles(3, {0, 0, 0}, {2.3, 2.3, 2.3}, 1 / n);
+        particles.geometry.originals.push_back({std::make_shared<Sphere>(Vector<3>{1.15, 1.15, 1.15}, 1.0, FluidSide::inside), 0});
+        particles.geometry.walls.emplace_back();
+        repeatPeriodically(particles.geometry, 0.5);
+        f.run(particles, "cavity { type filling; }");
+        double volume = 0;
+        const auto view = particles.view();
+        for (std::size_t i = 0; i < view.n; ++i) volume += view.mass[i] / view.restDensity[0];
+        const double filled = std::stod(f.folder.rows("postProcessing/cavity/0/filling.dat").at(0).at(1));
+        EXPECT_NEAR(volume / filled / (4.0 / 3.0 * std::numbers::pi), 1, n == 6 ? 5e-3 : 2e-3);
+    }
+}
+
 TEST(VolFieldValue, isTheMeanOrAnExtremeOverABox)
 {
     Functions f;

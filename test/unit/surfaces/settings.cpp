@@ -57,9 +57,11 @@ TEST(SurfaceSettings, DefaultsFollowFromTheCase)
     EXPECT_FALSE(s.picture.particles);
     EXPECT_EQ(s.picture.camera.up.z, 1);
     EXPECT_EQ(s.picture.plane.point, (Vector<3>{0.05, 0.1, 0.05}));
+    EXPECT_EQ(s.picture.plane.normal, (Vector<3>{0, -1, 0})); // z is up: not along gravity
     const auto single = readSurfaceSettings(none, {1e-3, {"melt"}, {0, 1, 0}}, geometry);
     EXPECT_FALSE(single.picture.surface);
     EXPECT_TRUE(single.picture.particles);
+    EXPECT_EQ(single.picture.plane.normal, (Vector<3>{0, 0, 1}));
 }
 
 // All entries of the header's example are read.

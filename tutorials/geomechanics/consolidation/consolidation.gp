@@ -1,6 +1,7 @@
 # Pore pressure over the height at T = 0.05, 0.2, 0.5, 1, means of rows; settlement over time: gnuplot consolidation.gp
 set terminal pngcairo size 1000,430 font ',10'
 set output 'consolidation.png'
+settlement = "< sed 's/^# Time/Time/' postProcessing/settlement/0/errors.dat"
 set multiplot layout 1,2
 set grid
 series(z, T) = 0.998185*4/pi*sum [m=0:30] (sin((2*m + 1)*pi/2*z)*exp(-((2*m + 1)*pi/2)**2*T)/(2*m + 1))
@@ -25,4 +26,4 @@ set xrange [0:1]
 set yrange [0.1:0]
 set key default
 set key top right
-plot 0.1*(y - 0.998185*left(x)) with lines lc 'black' title 'Terzaghi (1943)', 'postProcessing/settlement/0/errors.dat' using (0.712262571*$1):(1e3*column('value')) with points pt 6 ps 0.8 lc rgb '#0060ad' title 'topmost row'
+plot 0.1*(y - 0.998185*left(x)) with lines lc 'black' title 'Terzaghi (1943)', settlement using (0.712262571*column('Time')):(1e3*column('value')) with points pt 6 ps 0.8 lc rgb '#0060ad' title 'topmost row'

@@ -26,7 +26,7 @@ plot tables.'dense.csv' using (100*$1):'voidRatio [-]' with lines ls 1 title 'de
 set title 'undrained, 100 kPa'
 set xlabel "p' [kPa]"
 set ylabel 'q [kPa]'
-set key top left
+set key bottom right
 set xrange [0:250]
 set yrange [0:300]
 plot tables.'denseUndrained.csv' using (1e-3*column('p [Pa]')):@q with lines ls 1 title 'dense, e = 0.6', tables.'looseUndrained.csv' using (1e-3*column('p [Pa]')):@q with lines ls 2 title 'loose, e = 0.8', \
