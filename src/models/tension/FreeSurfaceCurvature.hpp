@@ -5,6 +5,7 @@
 /// the force along a surface) and tutorials/verification/laplaceDrop.
 #pragma once
 #include "fields/freeSurfaceTags.hpp"
+#include "models/tension/NearestWall.hpp"
 #include "models/tension/Tensions.hpp"
 #include "models/tension/WallWetting.hpp"
 #include "plan/Coefficients.hpp"
@@ -64,12 +65,42 @@ struct FreeSurfaceCurvature
         const auto along = alongSurface(ij, i, j), n = j.n_l - i.n_l, turn = n - dot(n, i.n_l) * i.n_l;
         return TensorsOfFit<dim>{w * symm(turn, along), w * outer(along)};
     }
-    auto finish(const auto& i, const auto& sum) const
+    /// B^-1, 0 where B has none.
+    static auto inverse(const auto& i, const auto& sum)
     {
         const auto B = sum.b + trace(sum.b) * outer(i.n_l);
         const double det = determinant(B), tiny = 1e-300;
-        const double k = det > tiny ? doubleDot(sum.a, adjugate(B)) / det : 0.0;
-        return std::fmax(-most, std::fmin(most, k / (1 + bias * k * k)));
+        return (det > tiny ? 1 / det : 0.0) * adjugate(B);
+    }
+    double bounded(double k) const { return std::fmax(-most, std::fmin(most, k / (1 + bias * k * k))); }
+    auto finish(const auto& i, const auto& sum) const { return bounded(doubleDot(sum.a, inverse(i, sum))); }
+};
+
+/// The same beside walls, whose mirror images make n . n_w an odd function of the height above the wall: in the row next to it the curvature across the wall is that of the strip from the wall to the row's far side,
+///
+///   kappa_i += |e|^2 w [(n . n_w + dx K_e/2)/(h + dx/2) - K_e],    e = P n_w,    K_e = e K e/|e|^2,    h = d - z n . n_w
+///
+/// n_w normal of the nearest wall, d [m] distance from it, h [m] height of the foot; w is 1 up to h = dx and 0 from 3/2 dx on. A fit over one support does not see how a surface turns between its wall and the foot of the
+/// lowest row; what it gives then adds up to more than the surface turns, and drove drops along their planes (README.md of models/gas). |e| is the sine of the angle between surface and wall: a film has none.
+struct FreeSurfaceCurvatureAtWalls : FreeSurfaceCurvature
+{
+    using ReadsOwn = Fields<NearestWallNormal, WallDistance>;
+    double spacing;
+
+    FreeSurfaceCurvatureAtWalls(const Coefficients& c, double beta) : FreeSurfaceCurvature(c, beta), spacing(c.spacing) {}
+    auto finish(const auto& i, const auto& sum) const
+    {
+        const auto inverse_B = inverse(i, sum);
+        double k = doubleDot(sum.a, inverse_B);
+        const double towards = dot(i.n_w, i.n_l), h = i.d - i.z * towards, q = 2 * (h / spacing - 1);
+        const auto e = i.n_w - towards * i.n_l;
+        const double sine2 = dot(e, e), least = 0.01;
+        if (sine2 > least && q < 1)
+        {
+            const double row = q > 0 ? 1 - q * q * (3 - 2 * q) : 1.0, K_e = dot(e, sum.a * (inverse_B * e)) / sine2;
+            k += sine2 * row * ((towards + 0.5 * spacing * K_e) / (std::fmax(h, 0.4 * spacing) + 0.5 * spacing) - K_e);
+        }
+        return bounded(k);
     }
 };
 

@@ -25,6 +25,15 @@ struct NearestWallNormal
     };
 };
 
+struct WallDistance
+{
+    static constexpr FieldInfo info{"wallDistance", "m"};
+    template<int dim> struct At
+    {
+        double d;
+    };
+};
+
 /// State that wall laws carry from place to place to find the nearest wall; the laws derived from it give their result.
 struct NextToWall
 {
@@ -53,6 +62,15 @@ struct WallNextTo : NextToWall
     using Provides = Fields<NearestWallNormal, NearestWall>;
     using NextToWall::NextToWall;
     template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {double(q.wall)}}; }
+};
+
+/// How far the nearest wall is, for the free surface of a liquid alone (FreeSurfaceCurvature.hpp).
+struct DistanceNextTo : NextToWall
+{
+    static constexpr auto name = "distanceNextTo";
+    using Provides = Fields<NearestWallNormal, WallDistance>;
+    using NextToWall::NextToWall;
+    template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {q.nearest}}; }
 };
 
 }

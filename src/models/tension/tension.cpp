@@ -207,9 +207,17 @@ void readFreeSurface(const Reading& reading)
     auto& settings = reading.settings;
     settings.runningModels.push_back(running<FreeSurfaceArea>());
     settings.define<LiquidNormals>("liquidNormals", [](const Coefficients&) { return LiquidNormals{}; });
-    settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
-                                          [beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension)](
-                                              const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
+    const double beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension);
+    if (reading.geometry.walls.empty())
+        settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
+                                              [beta](const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
+    else
+    {
+        settings.define<DistanceNextTo>("distanceNextTo", [](const Coefficients& c) { return DistanceNextTo(c); });
+        reading.select("distanceNextTo");
+        settings.define<FreeSurfaceCurvatureAtWalls>("freeSurfaceCurvature",
+                                                     [beta](const Coefficients& c) { return FreeSurfaceCurvatureAtWalls(c, beta); });
+    }
     if (settings.coefficients.has<WettingAngles>())
     {
         const double closest = settings.facts.get<WallClearance>().spacings * settings.coefficients.spacing;
