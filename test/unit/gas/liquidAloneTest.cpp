@@ -241,6 +241,44 @@ TEST(FreeSurfaceCurvature, IsThatOfBallsDiscsAndHoles)
     EXPECT_LT(offHole, 0.1);
 }
 
+// A surface whose normal's component across the wall grows as a h has the curvature a there, which a fit may see or not; above the row, and where a film covers the wall, the fit stays.
+TEST(FreeSurfaceCurvatureAtWalls, IsThatOfTheStripFromTheWallInTheRowBesideIt)
+{
+    struct Own
+    {
+        Vector<3> n_l, n_w{0, 0, 1};
+        double z, d;
+    };
+    const auto c = numbers(3, 3);
+    const FreeSurfaceCurvature plain(c, 0);
+    const FreeSurfaceCurvatureAtWalls atWalls(c, 0);
+    /// Curvature by the fit, and beside the wall: n . n_w = towards at the height h of the foot, curvatures of the fit across the wall and along it.
+    const auto both = [&](double towards, double h, double across, double along, double depth)
+    {
+        const double beside = std::sqrt(1 - sqr(towards));
+        const Own i{{-beside, 0, towards}, {0, 0, 1}, depth, h + depth * towards};
+        const Vector<3> up{towards, 0, beside}, level{0, 1, 0}; // in the surface
+        const TensorsOfFit<3> sum{across * outer(up) + along * outer(level), outer(up) + outer(level)};
+        return std::pair(plain.finish(i, sum), atWalls.finish(i, sum));
+    };
+    const double a = 0.2, h = 0.8, level = -0.1;
+    {
+        const auto [fit, wall] = both(a * h, h, a, level, 0.3);
+        EXPECT_NEAR(fit, a + level, 1e-12);
+        EXPECT_NEAR(wall, fit, 1e-12) << "the fit sees what the strip has";
+    }
+    {
+        const auto [fit, wall] = both(a * h, h, 0, level, 0.3);
+        EXPECT_NEAR(fit, level, 1e-12);
+        EXPECT_NEAR(wall - level, (1 - sqr(a * h)) * a * h / (h + 0.5), 1e-12) << "it turned by a h below the foot, and not above";
+    }
+    for (const auto& [towards, height] : {std::pair(0.3, 1.5), std::pair(0.3, 4.0), std::pair(-1.0, 0.5)})
+    {
+        const auto [fit, wall] = both(towards, height, -0.05, level, 0);
+        EXPECT_NEAR(wall, fit, 1e-12) << towards << " " << height;
+    }
+}
+
 // A uniform pressure -gamma kappa is balanced particle by particle where kappa is uniform, however the particles lie.
 TEST(FreeSurfaceForce, BalancesTheJumpOfThePressureExactly)
 {
