@@ -92,7 +92,7 @@ TEST(Openings, WhereThereIsNoDuct)
 TEST(Openings, NormalsOutOfTheScene)
 {
     isRefusedWith("normal (1 0 0)", "normal (-1 0 0)",
-                  {file + ":1: ", "opening \"gate\" has \"vent\" beyond its plane", "its normal must point into the scene"});
+                  {file + ":1: ", "opening \"gate\" has \"vent\" beyond its plane", "its normal, (-1 0 0), must point into the scene"});
     isRefusedWith("normal (-1 0 0)", "normal (1 0 0)", {file + ":11: ", "opening \"vent\" has \"gate\" beyond its plane"});
     const std::string vent = "vent\n{\n    type outlet;\n    point (1 0 0);\n    normal (-1 0 0);\n    pressure 100;\n}\n";
     Damaged alone(goodDuct());
@@ -100,7 +100,7 @@ TEST(Openings, NormalsOutOfTheScene)
     alone.replace(file, "normal (1 0 0)", "normal (-1 0 0)");
     alone.isRefused("sphFoamLike",
                     {file + ":1: ", "opening \"gate\" has 0.2 m of scene before its plane, less than the 0.31 m that it holds beyond",
-                     "its normal must point into the scene"});
+                     "its normal, (-1 0 0), must point into the scene"});
 }
 
 // Where the domain goes on beyond it there is no telling a runner from a scene: what is taken away is in the log and in the balance.
