@@ -35,7 +35,6 @@ typename BoundaryFit<dim>::Sums BoundaryFit<dim>::sumsOf(const FieldStore<dim>& 
 {
     const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
     const double *const p = store.component(Pressure::info.name, 0), *const m = store.component(Mass::info.name, 0);
-    const auto phase = scene_.phasesOf(store);
     std::size_t count = 0;
     double n = 0, v0 = 0, s1 = 0, s2 = 0, p0 = 0, p1 = 0, flow = 0;
     for (const int i : near)
@@ -46,7 +45,7 @@ typename BoundaryFit<dim>::Sums BoundaryFit<dim>::sumsOf(const FieldStore<dim>& 
         ++count;
         n += w;
         v0 += w * v_n;
-        flow += w * v_n * m[i] / scene_.coefficients.restDensity[phase(std::size_t(i))];
+        flow += w * v_n * m[i];
         s1 += w * s;
         s2 += w * s * s;
         p0 += w * p[i];
@@ -144,8 +143,11 @@ template<int dim> void BoundaryFit<dim>::measure(PlacedOpening& placed, std::spa
         given -= 0.5 * placed.density * sqr(back.n > 0 ? std::max(0.0, back.v0 / back.n) : 0);
     }
     const auto all = fit(opening, given, ofAll);
-    const auto inflow = [&](const Sums& of) {
-        return scene_.fillsInPart ? of.flow / wholeWeight() : ofAll.n > 0 ? area * of.v0 / ofAll.n : 0;
+    const auto inflow = [&](const Sums& of)
+    {
+        return scene_.fillsInPart ? of.flow / (scene_.coefficients.restDensity.front() * wholeWeight())
+               : ofAll.n > 0      ? area * of.v0 / ofAll.n
+                                  : 0;
     };
     placed.inflow = inflow(ofAll);
     std::vector<Fit> fits;

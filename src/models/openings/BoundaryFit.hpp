@@ -47,7 +47,7 @@ private:
     struct Sums
     {
         double n = 0, v0 = 0, s1 = 0, p0 = 0, s2 = 0, count = 0, p1 = 0,
-               flow = 0; ///< sums of w, w v, w s, w p, w s^2, 1, w s p, w v m/rho_0
+               flow = 0; ///< sums of w, w v, w s, w p, w s^2, 1, w s p, w v m
         Sums& operator+=(const Sums&);
     };
     /// Weighted sums over the free particles near the plane along one line of an outlet, and sums over the buffer particles on it.

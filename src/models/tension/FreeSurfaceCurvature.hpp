@@ -5,6 +5,7 @@
 /// the force along a surface) and tutorials/verification/laplaceDrop.
 #pragma once
 #include "fields/freeSurfaceTags.hpp"
+#include "geometry/Shape.hpp"
 #include "models/tension/NearestWall.hpp"
 #include "models/tension/Tensions.hpp"
 #include "models/tension/WallWetting.hpp"
@@ -85,9 +86,12 @@ struct FreeSurfaceCurvature
 struct FreeSurfaceCurvatureAtWalls : FreeSurfaceCurvature
 {
     using ReadsOwn = Fields<NearestWallNormal, WallDistance>;
-    double spacing;
+    double spacing, closest; ///< [m]
 
-    FreeSurfaceCurvatureAtWalls(const Coefficients& c, double beta) : FreeSurfaceCurvature(c, beta), spacing(c.spacing) {}
+    /// `d_0`: distance at which walls hold particles [m], the least that h counts as.
+    FreeSurfaceCurvatureAtWalls(const Coefficients& c, double beta, double d_0)
+        : FreeSurfaceCurvature(c, beta), spacing(c.spacing), closest(d_0)
+    {}
     auto finish(const auto& i, const auto& sum) const
     {
         const auto inverse_B = inverse(i, sum);
@@ -97,8 +101,8 @@ struct FreeSurfaceCurvatureAtWalls : FreeSurfaceCurvature
         const double sine2 = dot(e, e), least = 0.01;
         if (sine2 > least && q < 1)
         {
-            const double row = q > 0 ? 1 - q * q * (3 - 2 * q) : 1.0, K_e = dot(e, sum.a * (inverse_B * e)) / sine2;
-            k += sine2 * row * ((towards + 0.5 * spacing * K_e) / (std::fmax(h, 0.4 * spacing) + 0.5 * spacing) - K_e);
+            const double row = 1 - smoothStep(q), K_e = dot(e, sum.a * (inverse_B * e)) / sine2;
+            k += sine2 * row * ((towards + 0.5 * spacing * K_e) / (std::fmax(h, closest) + 0.5 * spacing) - K_e);
         }
         return bounded(k);
     }

@@ -1,4 +1,4 @@
-/// Normal of the wall next to a particle, for the forms of the curvature whose interfaces walls turn (WallAdhesion.hpp, PhaseCurvature.hpp):
+/// Normal of the wall next to a particle, for the forms of the curvature whose interfaces walls turn (WallAdhesion.hpp, PhaseCurvature.hpp, FreeSurfaceCurvature.hpp):
 ///
 ///   n_w = normal of the nearest wall where it is nearer than 5/6 H, else 0
 #pragma once

@@ -207,7 +207,8 @@ void readFreeSurface(const Reading& reading)
     auto& settings = reading.settings;
     settings.runningModels.push_back(running<FreeSurfaceArea>());
     settings.define<LiquidNormals>("liquidNormals", [](const Coefficients&) { return LiquidNormals{}; });
-    const double beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension);
+    const double beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension),
+                 closest = settings.facts.get<WallClearance>().spacings * settings.coefficients.spacing;
     if (reading.geometry.walls.empty())
         settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
                                               [beta](const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
@@ -215,12 +216,11 @@ void readFreeSurface(const Reading& reading)
     {
         settings.define<DistanceNextTo>("distanceNextTo", [](const Coefficients& c) { return DistanceNextTo(c); });
         reading.select("distanceNextTo");
-        settings.define<FreeSurfaceCurvatureAtWalls>("freeSurfaceCurvature",
-                                                     [beta](const Coefficients& c) { return FreeSurfaceCurvatureAtWalls(c, beta); });
+        settings.define<FreeSurfaceCurvatureAtWalls>("freeSurfaceCurvature", [beta, closest](const Coefficients& c)
+                                                     { return FreeSurfaceCurvatureAtWalls(c, beta, closest); });
     }
     if (settings.coefficients.has<WettingAngles>())
     {
-        const double closest = settings.facts.get<WallClearance>().spacings * settings.coefficients.spacing;
         settings.define<WallWetting>("wallWetting", [closest](const Coefficients& c) { return WallWetting(c, closest); });
         settings.facts.give(WallReach{WallWetting::reachInSupports}, "contactAngle of constant/geometry");
         settings.define<WettedSurfaceSmoothing>("freeSurfaceSmoothing", [](const Coefficients&) { return WettedSurfaceSmoothing{}; });

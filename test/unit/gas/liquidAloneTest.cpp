@@ -251,7 +251,7 @@ TEST(FreeSurfaceCurvatureAtWalls, IsThatOfTheStripFromTheWallInTheRowBesideIt)
     };
     const auto c = numbers(3, 3);
     const FreeSurfaceCurvature plain(c, 0);
-    const FreeSurfaceCurvatureAtWalls atWalls(c, 0);
+    const FreeSurfaceCurvatureAtWalls atWalls(c, 0, 0.4);
     /// Curvature by the fit, and beside the wall: n . n_w = towards at the height h of the foot, curvatures of the fit across the wall and along it.
     const auto both = [&](double towards, double h, double across, double along, double depth)
     {

@@ -1,6 +1,7 @@
 /// What openings hold, let in and take away, and the account of it.
 #include "models/openings/Openings.hpp"
 #include "Duct.hpp"
+#include "Largest.hpp"
 #include "base/CaseError.hpp"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -246,7 +247,8 @@ TEST(Openings, MeasureTheFlowOfAStreamThatFillsThemInPart)
         if (scene.store.component("positions", 1)[i] > 0.3) scene.store.component("m", 0)[i] = 0;
     Openings<2> openings({outlet(0)}, scene.geometry, scene.c, scene.evolving, {}, 2, true);
     scene.exchange(openings);
-    double volume = 0, largest = 0;
+    double volume = 0;
+    Largest largest;
     for (int step = 0; step < 1100; ++step)
     {
         scene.drift(0.001);
@@ -255,11 +257,11 @@ TEST(Openings, MeasureTheFlowOfAStreamThatFillsThemInPart)
         const auto flow = openings.flows().at(0);
         EXPECT_NEAR(flow.flowRate, flow.flowRates.at(0), 1e-15);
         volume += 0.001 * flow.flowRate;
-        largest = std::max(largest, -flow.flowRate);
+        largest(flow.flowRate);
     }
     EXPECT_NEAR(openings.flows().at(0).mass.at(0), -2 * 0.3 * 0.4, 1e-12);
     EXPECT_NEAR(volume, -0.3 * 0.4, 1e-4 * 0.3 * 0.4);
-    EXPECT_LT(largest, 1.05 * 0.3);
+    EXPECT_LT(largest.value(), 1.05 * 0.3);
 }
 
 void refuses(const Opening& opening, const Geometry& geometry, const std::string& word)
