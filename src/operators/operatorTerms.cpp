@@ -1,4 +1,5 @@
 #include "operators/operatorTerms.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "operators/FreeSurface.hpp"
 #include "operators/GradientCorrection.hpp"
 #include "operators/KernelMoment.hpp"
@@ -12,7 +13,8 @@ namespace sph
 template<int dim> Catalogue<dim> operatorTerms()
 {
     return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection,
-                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient, FitWeights>();
+                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient, FitWeights, BalancedGradientMap, ImbalanceOfGradient, AdvanceOffset,
+                     BalancedVelocityGradient>();
 }
 
 template Catalogue<2> operatorTerms<2>();

@@ -32,6 +32,13 @@ struct SchemeSet
     std::string word;
 };
 
+/// The one of several phases that there are particles of, where none of another can come in.
+struct LonePhase
+{
+    static constexpr auto says = "which phase is alone";
+    int phase = -1; ///< none is
+};
+
 /// Energy of the interfaces between phases.
 struct InterfaceEnergy
 {

@@ -7,8 +7,8 @@
 #include "solver/TimeStepLimits.hpp"
 #include "solver/WallForces.hpp"
 #include "solver/models.hpp"
+#include "solver/particlesAtStart.hpp"
 #include "solver/readPhases.hpp"
-#include "solver/shareFilled.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -102,6 +102,8 @@ Settings readSettings(const Case& theCase, const Geometry& geometry)
         if (model->declare) model->declare(reading);
     readPhases(theCase, phases, settings);
     phases.reportUnused();
+    if (settings.multiphase() && settings.facts.get<InterfaceEnergy>().largest > 0 && !settings.facts.get<OpenBoundary>().exists)
+        if (const auto phase = lonePhase(theCase)) settings.facts.give(LonePhase{*phase}, "the particles of the first time");
     settings.state = stateOfAll(settings);
     settings.fieldClasses = knownFields(settings);
     chooseSet(reading);

@@ -34,6 +34,7 @@ struct SoilNumbers
     bool actsOnRecession = false; ///< and not on approach alone
     double smoothing = 0;         ///< delta of the stress's noise [1]; 0: it is left
     bool smoothsAtRest = false;   ///< and not by strain alone
+    double hourglass = 0;         ///< stiffness against motion that no strain answers [1]
     double compactionSpeed = 0;   ///< c_c [m/s]
     double compactFrom = 0;       ///< rho_c [kg/m^3]
 
@@ -43,6 +44,8 @@ struct SoilNumbers
 
 /// The group of the plan that runs at the velocities of a step's end.
 inline constexpr const char* ofStrain = "velocity gradient";
+/// That behind it, which advances what the balanced gradient and the hourglass stiffness carry from step to step.
+inline constexpr const char* ofBalance = "balance of the gradient";
 
 /// Conversions in three dimensions, as base/StressTensor.hpp has them in two.
 constexpr SymmTensor<3> inPlane(SymmTensor<3> a) { return a; }

@@ -1,7 +1,7 @@
 #include "models/soil/StressUpdate.hpp"
 #include "models/soil/ContinuedStress.hpp"
 #include "models/soil/SoilFields.hpp"
-#include "operators/VelocityGradient.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "parallel/reduce.hpp"
 #include "scene/DensityOfModel.hpp"
 #include "soilLaws/soilLaws.hpp"
@@ -80,6 +80,8 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
         return {{"sound", "c = sqrt(M/rho)", [this](Particles<dim>& p, const Substep&) { measure(p); }}};
     if (place != (levels_ ? JoinPoint::beforeDrift : JoinPoint::afterKick)) return {};
     const auto& law = particles_.coefficients().template of<Soil>().law;
+    std::vector<std::string> groups{ofStrain};
+    if (particles_.store().has(GradientOffset{})) groups.emplace_back(ofBalance);
     const bool hasDensity = particles_.settings().facts.template get<DensityOfModel>().exists;
     return {{"stress",
              hasDensity          ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables and rho with it, in substeps"
@@ -87,7 +89,7 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
              : levels_           ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
                                  : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
              [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
-             {ofStrain}}};
+             groups}};
 }
 
 template<int dim> void StressUpdate<dim>::checkVariables(const Particles<dim>& particles) const
@@ -205,6 +207,7 @@ template<int dim> void StressUpdate<dim>::advance(Particles<dim>& particles, dou
     };
     summary_ = std::visit([&](const auto& law) { return reduce(particles.size(), Counts{}, advanced(law), Add{}); }, soil.law);
     if (particles.movingWalls().any()) summary_.power += powerOfWalls(particles);
+    if (store.has(GradientOffset{})) particles.evaluate(ofBalance, deltaT);
 }
 
 template<int dim> double StressUpdate<dim>::powerOfWalls(const Particles<dim>& particles) const

@@ -164,11 +164,9 @@ InitialPorePressure readPoreWater(const Reading& reading, const Dictionary& ofSo
     return initial;
 }
 
-void selectPoreWater(const Reading& reading, bool corrected)
+void selectPoreWater(const Reading& reading, const std::vector<std::string>& force)
 {
     auto& settings = reading.settings;
-    const std::vector<std::string> force = corrected ? std::vector<std::string>{"poreStressDifference", "poreStressAtSurface"}
-                                                     : std::vector<std::string>{"poreStressDivergence"};
     reading.select(StressOfPorePressure::name);
     for (const auto& term : force) reading.select(term);
     settings.groups.push_back({.name = ofPoreForce,

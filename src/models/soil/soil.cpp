@@ -1,11 +1,13 @@
 #include "models/soil/soil.hpp"
 #include "case/phaseEntries.hpp"
 #include "geometry/makeWallLayers.hpp"
+#include "models/soil/Hourglass.hpp"
 #include "models/soil/SoilFields.hpp"
 #include "models/soil/StressUpdate.hpp"
 #include "models/soil/WallFriction.hpp"
 #include "models/soil/readPoreWater.hpp"
 #include "models/soil/soilTerms.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "operators/VelocityGradient.hpp"
 #include "scene/DensityOfModel.hpp"
 #include "soilLaws/soilLaws.hpp"
@@ -42,9 +44,13 @@ const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(s
 const Choice stressDivergence{
     "stressDivergence",
     {{"symmetric", "conserves momentum, and feels the disorder of particles"},
+     {"balanced", "conserves momentum, and is exact for uniform stresses however the particles lie; a pass more"},
      {"corrected", "of differences with the corrected gradient but at surfaces: exact for linear stresses, for quasi-static loading"}},
     "symmetric",
     "the form of the force by the stress"};
+const Scalar hourglassStiffness{
+    "hourglassStiffness", units::none, 0, between(0, 0.5),
+    "k of a stiffness against motion that no strain answers, with `stressDivergence balanced`; about 0.2 where deformations are small"};
 const Scalar stressSmoothing{"stressSmoothing", units::none, 0, between(0, 1),
                              "delta by which the stress's short-wave noise is smoothed; about 0.1 in collapses"};
 const Choice smoothingActs{"smoothingActs",
@@ -348,6 +354,30 @@ void prepare(const Reading& reading)
     c.set(soil);
 }
 
+/// Terms by which a stress, that of the soil or of its water, accelerates.
+struct Divergence
+{
+    std::vector<std::string> ofSoil, ofWater;
+};
+Divergence divergenceTerms(const std::string& form)
+{
+    if (form == "balanced") return {{"balancedSoilStress"}, {"balancedPoreStress"}};
+    if (form == "corrected") return {{"soilStressDifference", "soilStressAtSurface"}, {"poreStressDifference", "poreStressAtSurface"}};
+    return {{"soilStressDivergence"}, {"poreStressDivergence"}};
+}
+
+/// What the balanced gradient and the hourglass stiffness carry from step to step, advanced behind the strain.
+void balanceGradient(Settings& settings, bool stiffens)
+{
+    settings.groups.back().terms.emplace_back("gradientImbalance");
+    settings.groups.push_back({ofBalance, {"gradientOffset"}});
+    settings.state.push_back({.value = stateField(GradientOffset{}), .advancedByModel = true});
+    if (!stiffens) return;
+    for (const auto* term : {"hourglassForce", "unstrainedOffFit"}) settings.terms.emplace_back(term);
+    settings.groups.back().terms.emplace_back("unstrainedMotion");
+    settings.state.push_back({.value = stateField(UnstrainedMotion{}), .advancedByModel = true});
+}
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -359,6 +389,7 @@ void read(const Reading& reading)
     numbers.actsOnRecession = entry::viscosityActs(d) == "always";
     numbers.smoothing = entry::stressSmoothing(d);
     numbers.smoothsAtRest = entry::smoothingActs(d) == "always";
+    numbers.hourglass = entry::hourglassStiffness(d);
     numbers.compactionSpeed = entry::compactionSpeed(d);
     numbers.compactFrom = 1.05 * c.restDensity[0];
     const CorrectedFrom corrected{entry::correctedFrom(d)};
@@ -366,6 +397,8 @@ void read(const Reading& reading)
     const auto shown = entry::shown(d);
     if (!(numbers.smoothing > 0) && entry::smoothingActs.given(d))
         entry::smoothingActs.error(d, "smoothingActs does nothing without stressSmoothing: give that, or leave this out");
+    if (numbers.hourglass > 0 && divergence != "balanced")
+        entry::hourglassStiffness.error(d, "hourglassStiffness goes with `stressDivergence balanced;`: give that, or leave this out");
     if (!(numbers.alpha > 0) && entry::viscosityActs.given(d))
         entry::viscosityActs.error(d, "viscosityActs does nothing with artificialViscosity 0: leave it out");
     if (!isSoil(settings))
@@ -385,17 +418,19 @@ void read(const Reading& reading)
     c.set(numbers);
     c.set(corrected);
     for (const auto* term : {"meanPressure", "actingStress"}) reading.select(term);
-    if (divergence == "symmetric") reading.select("soilStressDivergence");
-    else
-        for (const auto* term : {"soilStressDifference", "soilStressAtSurface"}) reading.select(term);
+    const bool balanced = divergence == "balanced";
+    const std::string gradient = balanced ? "balancedVelocityGradient" : "velocityGradient";
+    const auto [ofSoil, ofWater] = divergenceTerms(divergence);
+    for (const auto& term : ofSoil) reading.select(term);
     if (numbers.alpha > 0 && entry::viscosityActs(d) == "onNoise")
-        for (const auto* term : {"velocityGradient", "soilNoiseViscosity"}) reading.select(term);
+        for (const auto& term : {gradient, std::string("soilNoiseViscosity")}) reading.select(term);
     else if (numbers.alpha > 0) reading.select("soilViscosity");
-    settings.groups.push_back({ofStrain, {"velocityGradient"}, {Velocity::info.name}});
+    settings.groups.push_back({ofStrain, {gradient}, {Velocity::info.name}});
     if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
+    if (balanced) balanceGradient(settings, numbers.hourglass > 0);
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
-    if (c.has<PoreWater>()) selectPoreWater(reading, divergence == "corrected");
+    if (c.has<PoreWater>()) selectPoreWater(reading, ofWater);
     settings.runningModels.push_back(running<StressUpdate>());
     settings.integration.factorsOfRunningModels.push_back(&StepFactors::sound);
     if (reading.geometry.withFriction()) settings.runningModels.push_back(running<WallFriction>());
@@ -436,7 +471,7 @@ const Model& soilModel()
            poreWaterEntries()}},
          {"system/sphSchemes",
           {{entry::soil,
-            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::stressSmoothing,
+            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::hourglassStiffness, entry::stressSmoothing,
              entry::smoothingActs, entry::compactionSpeed, entry::shown}}}}},
         declare};
     return model;

@@ -1,8 +1,10 @@
 #include "models/soil/soilTerms.hpp"
 #include "models/soil/ActingStress.hpp"
+#include "models/soil/Hourglass.hpp"
 #include "models/soil/Seepage.hpp"
 #include "models/soil/SoilViscosity.hpp"
 #include "models/soil/StressNoise.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "operators/StressDivergence.hpp"
 #include "operators/VelocityGradient.hpp"
 
@@ -35,6 +37,10 @@ struct SoilStressAtSurface : SurfaceDivergenceOf<ActingStress>
     static constexpr auto name = "soilStressAtSurface";
     using SurfaceDivergenceOf::SurfaceDivergenceOf;
 };
+struct BalancedSoilStress : BalancedDivergenceOf<ActingStress>
+{
+    static constexpr auto name = "balancedSoilStress";
+};
 /// The same forms of -p I.
 struct PoreStressDivergence : DivergenceOf<PoreStress>
 {
@@ -50,13 +56,17 @@ struct PoreStressAtSurface : SurfaceDivergenceOf<PoreStress>
     static constexpr auto name = "poreStressAtSurface";
     using SurfaceDivergenceOf::SurfaceDivergenceOf;
 };
+struct BalancedPoreStress : BalancedDivergenceOf<PoreStress>
+{
+    static constexpr auto name = "balancedPoreStress";
+};
 }
 
 template<int dim> Catalogue<dim> soilTerms()
 {
-    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, SoilViscosity,
+    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, BalancedSoilStress, FitOfUnstrained, HourglassForce, OffFitOfUnstrained, AdvanceUnstrained, SoilViscosity,
                      SoilNoiseViscosity, StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence,
-                     PoreStressDifference, PoreStressAtSurface, SurfaceOfSoil, Seepage, SeepageOfChange>();
+                     PoreStressDifference, PoreStressAtSurface, BalancedPoreStress, SurfaceOfSoil, Seepage, SeepageOfChange>();
 }
 
 template Catalogue<2> soilTerms<2>();

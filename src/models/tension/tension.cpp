@@ -138,6 +138,24 @@ bool haveShares(const Coefficients& c)
     return c.phases.size() < 4 || missedByShares(c) < roundOff;
 }
 
+/// All particles are of one phase. A band of gas joins it where it is missing.
+bool isAlone(const Settings& settings) { return settings.facts.get<LonePhase>().phase >= 0 && settings.facts.get<PhaseInPart>().phase < 0; }
+
+/// A phase alone has no interface: neither its passes, nor the background pressure that they ask for (models/pressure), nor its limit of the step.
+void leaveOut(const Reading& reading)
+{
+    auto& settings = reading.settings;
+    auto& c = settings.coefficients;
+    if (tensionsOf(c).any())
+        settings.reasons.push_back(fmt::format(
+            "no surface tension: all particles are of {}, and nothing brings others", c.phases[std::size_t(settings.facts.get<LonePhase>().phase)]));
+    c.of<Tensions>() = {};
+    reading.choose(entry::contactAngle, "wallPotential");
+    reading.choose(entry::surfaceTension, "none");
+    settings.chosen[entry::surfaceTension.keyword()] = "none";
+    settings.facts.give(ForceReach{2}, "the particles of the first time");
+}
+
 /// The curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed, liquidLens); it goes with the wall potential. The
 /// walls' stresses go with the stress form alone.
 void prepare(const Reading& reading)
@@ -146,6 +164,7 @@ void prepare(const Reading& reading)
     auto& c = settings.coefficients;
     const auto& dict = reading.schemes;
     setContactAngles(reading, c);
+    if (isAlone(settings)) return leaveOut(reading);
     const bool tension = tensionsOf(c).any();
     const bool stress = reading.paper() || (tension && !haveShares(c)) || entry::contactAngle.is(dict, "paper") ||
                         entry::contactAngle.is(dict, "wallStress");
@@ -247,9 +266,10 @@ void readFreeSurface(const Reading& reading)
 /// Viscosity shares its sum with the pressure: nothing would be gained.
 void read(const Reading& reading)
 {
-    readAngles(reading);
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
+    if (isAlone(settings)) return;
+    readAngles(reading);
     if (isLiquidAlone(settings))
     {
         if (settings.facts.get<InterfaceForces>().act) readFreeSurface(reading);

@@ -5,7 +5,7 @@
 #include "geometry/makeWallLayers.hpp"
 #include "models/soil/ContinuedStress.hpp"
 #include "models/soil/SoilFields.hpp"
-#include "operators/VelocityGradient.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "periodicSquare.hpp"
 #include "scene/Particles.hpp"
 #include "scenes.hpp"
@@ -332,6 +332,17 @@ struct SmoothBlock
     }
 };
 
+/// Soil at rest until its gradient is balanced, where the scene balances it.
+void balance(Particles<2>& particles)
+{
+    if (!particles.store().has(GradientOffset{})) return;
+    for (int sweep = 0; sweep < 30; ++sweep)
+    {
+        particles.evaluate();
+        particles.stages(JoinPoint::afterKick)[0].run(particles, {0, 0, 0});
+    }
+}
+
 /// Carried by the flow for 0.01 s, in 20 steps; the stress is advanced by the model's own stage in the middle of each. What it is off, over its change, both in the mean of squares; it is compared
 /// with the law along the path of each particle, in 200 steps of constant grad v.
 double stressError(const std::string& law, double dx, double jitter, const std::string& ofSoil = "")
@@ -383,6 +394,7 @@ double divergenceError(double dx, double jitter, const std::string& ofSoil = "")
 {
     const SmoothBlock block("rho 1850; law elastic; elasticCoeffs { E 2e7; nu 0.3; }\n", dx, jitter, ofSoil);
     auto& particles = *block.particles;
+    balance(particles);
     auto& store = particles.store();
     const auto sigma = store.pointers(SoilStress{});
     const double k = waves;
@@ -442,8 +454,22 @@ TEST(SoilBlock, CorrectedDivergenceOfASmoothStressConverges)
     }
 }
 
-// A lone block with random velocities and stresses, which artificial viscosity and stress divergence act on: pairs exchange what they lose.
-TEST(SoilBlock, KeepsItsMomentum)
+// The balanced form, which is the adjoint of a gradient and conserves momentum, is of second order on a lattice. Off it single forces are 8 and 15 % off at any spacing, where those of the symmetric form are
+// off the more the finer it is; what converges is the weak form, and with it the solution (SoilColumn.IsCalmOffItsLattice). Measured orders 1.97, 0.13 and -0.06.
+TEST(SoilBlock, BalancedDivergenceOfASmoothStressIsBounded)
+{
+    const auto error = [](double dx, double jitter) { return divergenceError(dx, jitter, "stressDivergence balanced;"); };
+    EXPECT_GT(orderOf([&](double dx) { return error(dx, 0); }), 1.8);
+    for (const double jitter : {0.1, 0.2})
+    {
+        SCOPED_TRACE(jitter);
+        EXPECT_NEAR(orderOf([&](double dx) { return error(dx, jitter); }), 0, 0.2);
+        EXPECT_LT(error(0.025, jitter), jitter);
+    }
+}
+
+/// A lone block of 16 x 16 particles 0.2 spacings off their lattice with random velocities and stresses.
+Cloud shakenBlock()
 {
     auto cloud = block<2>(16, 0.2);
     std::mt19937_64 random(7);
@@ -454,11 +480,74 @@ TEST(SoilBlock, KeepsItsMomentum)
              return std::vector<double>{-1e4 * (2 + any(random)), 3e3 * any(random), 0, -1e4 * (2 + any(random)), 0,
                                         -1e4 * (2 + any(random))};
          });
+    return cloud;
+}
+
+// The balanced divergence is the adjoint of its gradient, whatever stress and velocity are: the power of its forces is minus that of the stress. The symmetric one differs by a tenth.
+TEST(SoilBlock, BalancedForcesHaveThePowerOfTheStrain)
+{
     const auto geometry = emptySpace(2);
-    for (const auto* acts : {"onApproach", "always", "onNoise"})
+    const auto misfit = [&](const std::string& form)
     {
-        const auto settings = settingsIn(blockCase("type isotropic; pressure 1e4;", std::string("viscosityActs ") + acts + ";"), geometry);
-        const auto simulation = makeSimulation(settings, geometry, cloud, {});
+        const auto settings =
+            settingsIn(blockCase("type isotropic; pressure 1e4;", "artificialViscosity 0; stressDivergence " + form + ";"), geometry);
+        Particles<2> particles(settings, geometry, allTerms<2>(), shakenBlock(), {});
+        balance(particles);
+        particles.evaluate();
+        particles.evaluate(ofStrain);
+        const auto& store = std::as_const(particles.store());
+        const auto v = store.pointers(Velocity{}), a = store.pointers(Acceleration{});
+        const auto S = store.pointers(ActingStress{});
+        const auto L = store.pointers(VelocityGradient{});
+        const double *m = store.component("m", 0), *V = store.component("V", 0);
+        double ofForces = 0, ofStress = 0;
+        for (std::size_t i = 0; i < particles.size(); ++i)
+        {
+            ofForces += m[i] * (v[0][i] * a[0][i] + v[1][i] * a[1][i]);
+            ofStress -= V[i] * (S[0][i] * L[0][i] + S[1][i] * (L[1][i] + L[2][i]) + S[2][i] * L[3][i]);
+        }
+        return std::abs(ofForces / ofStress - 1);
+    };
+    EXPECT_LT(misfit("balanced"), 1e-12);
+    EXPECT_GT(misfit("symmetric"), 0.01);
+}
+
+/// Largest acceleration of a block 0.2 spacings off its lattice, free of stress, by a displacement that is linear in space but for one particle of `more` [m].
+double hourglassAcceleration(double more)
+{
+    auto cloud = block<2>(16, 0.2);
+    give(cloud, "unstrainedMotion", FieldClass::vector,
+         [&](std::size_t i)
+         { return std::vector<double>{0.03 * (cloud.x[i] - 3) + 0.07 * (cloud.y[i] - 3) + (i == 100) * more, -0.04 * (cloud.y[i] - 3), 0}; });
+    auto files = blockCase("type isotropic; pressure 1e4;", "artificialViscosity 0; stressDivergence balanced; hourglassStiffness 0.2;");
+    files["constant/soilProperties"] = "rho 1850; law elastic; elasticCoeffs { E 1e7; nu 0.3; }\n";
+    const auto geometry = emptySpace(2);
+    const auto settings = settingsIn(files, geometry);
+    const auto simulation = makeSimulation(settings, geometry, cloud, {});
+    simulation->step(0, 1e-12);
+    const auto& a = simulation->field("dUdt").component;
+    Largest largest;
+    for (std::size_t i = 0; i < simulation->size(); ++i) largest(std::hypot(a[0][i], a[1][i]));
+    return largest.value();
+}
+// A displacement that is linear in space meets no hourglass stiffness, up to the surface; that of one particle does.
+TEST(Hourglass, LeavesALinearDisplacementAlone)
+{
+    const double alone = hourglassAcceleration(0.01 * spacing);
+    EXPECT_GT(alone, 100);
+    EXPECT_LT(hourglassAcceleration(0), 1e-9 * alone);
+}
+
+// A lone block with random velocities and stresses, which artificial viscosity and stress divergence act on: pairs exchange what they lose.
+TEST(SoilBlock, KeepsItsMomentum)
+{
+    const auto geometry = emptySpace(2);
+    for (const auto* ofSoil : {"viscosityActs onApproach;", "viscosityActs always;", "viscosityActs onNoise;",
+                               "stressDivergence balanced; hourglassStiffness 0.2; viscosityActs onNoise;"})
+    {
+        SCOPED_TRACE(ofSoil);
+        const auto settings = settingsIn(blockCase("type isotropic; pressure 1e4;", ofSoil), geometry);
+        const auto simulation = makeSimulation(settings, geometry, shakenBlock(), {});
         const auto before = simulation->summary().momentum;
         const double energy = simulation->summary().kineticEnergy;
         for (int step = 0; step < 50; ++step) simulation->step(0, simulation->stepLimit().deltaT);
@@ -641,7 +730,7 @@ Files confinedCase(const std::string& ofSoil = "")
 TEST(ConfiningPressure, HoldsAFreeBlock)
 {
     const auto geometry = emptySpace(2);
-    for (const std::string ofSoil : {"", "stressDivergence corrected;"})
+    for (const std::string ofSoil : {"", "stressDivergence corrected;", "stressDivergence balanced; hourglassStiffness 0.2;"})
     {
         const auto energy = [&](const Files& files)
         {
@@ -1032,6 +1121,23 @@ void expectEarthPressureOfItsHistory(const std::string& integration, const std::
     EXPECT_NE(log.find(" 0 particles stress-free, 0 with a stress that the law does not admit, 0 not resolved"), std::string::npos);
 }
 TEST(SoilColumn, ReachesTheEarthPressureOfItsHistory) { expectEarthPressureOfItsHistory(""); }
+/// A column 0.1 spacings off its lattice.
+EarthPressure ofDisorder(const std::string& ofSoil)
+{
+    auto files = columnOfSand("");
+    files["system/packParticlesDict"] += "jitter 0.1;\n";
+    files["system/sphSchemes"] = "resolution { spacing 0.05; support 3.6; kernel wendlandC2; }\nsoil { artificialViscosity 1; " + ofSoil +
+                                 " }\nintegration { damping { rate 400; until 10; } }\n";
+    const TestCase c(files);
+    for (const char* program : {"packParticles", "meshToGhost", "sphFoamLike"}) c.runWell(program);
+    return earthPressure(c, "2.3", 0.5135);
+}
+// Off the lattice each particle finds its own stress by the symmetric form, at any spacing (15 % at the worst); the balanced one keeps the bound of 3 %: measured 1.1 %.
+TEST(SoilColumn, IsCalmOffItsLattice)
+{
+    EXPECT_LT(ofDisorder("stressDivergence balanced; hourglassStiffness 0.2;").worst, 0.02);
+    EXPECT_GT(ofDisorder("").worst, 0.1);
+}
 TEST(SoilColumn, ReachesItBetweenLayers) { expectEarthPressureOfItsHistory("", "walls layers;"); }
 // Measured
 TEST(SoilColumn, ReachesItByVerlet) { expectEarthPressureOfItsHistory("scheme verlet;"); }
@@ -1139,6 +1245,8 @@ TEST(SoilMistakes, SayWhereAndWhat)
     for (const auto* stress : {"smoothingActs always;", "stressSmoothing 0; smoothingActs always;"})
         says(mistake(blockCase("type isotropic; pressure 1e4;", stress)),
              "system/sphSchemes:2: smoothingActs does nothing without stressSmoothing");
+    says(mistake(blockCase("type isotropic; pressure 1e4;", "hourglassStiffness 0.2;")),
+         "system/sphSchemes:2: hourglassStiffness goes with `stressDivergence balanced;`");
     says(mistake(blockCase("type isotropic; pressure 1e4;", "artificialViscosity 0; viscosityActs always;")),
          "system/sphSchemes:2: viscosityActs does nothing with artificialViscosity 0");
     says(mistake(changed(good, "constant/phaseProperties", "stress constitutiveLaw;", "stress constitutiveLaw; mu 1;")),
