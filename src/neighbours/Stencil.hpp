@@ -34,7 +34,7 @@ struct KnownNeighbours
 
 template<int dim> struct Stencil
 {
-    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2 * lanes, maxColumns = 32;
+    static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2 * lanes, maxColumns = 40;
     using Column = double[capacity];
 
     int i, n;            ///< particle; entries, a multiple of the lanes

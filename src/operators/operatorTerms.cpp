@@ -13,8 +13,8 @@ namespace sph
 template<int dim> Catalogue<dim> operatorTerms()
 {
     return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection,
-                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient, FitWeights, BalancedGradientMap, ImbalanceOfGradient, AdvanceOffset,
-                     BalancedVelocityGradient>();
+                     SurfaceDetection, OutwardNormal, CorrectedVelocityGradient, FitWeights, BalancedGradientMap, ImbalanceOfGradient,
+                     AdvanceOffset, BalancedVelocityGradient>();
 }
 
 template Catalogue<2> operatorTerms<2>();

@@ -385,4 +385,27 @@ TEST(ExtremeScenes, StepThatCollapses)
 }
 
 }
+
+// Gas that is alone has no interface: no pass of surface tension, no limit by it, and no background pressure. A single particle of the liquid brings all of it back.
+TEST(ExtremeScenes, APhaseAloneHasNoSurfaceTension)
+{
+    const auto plan = [](const std::string& fill)
+    {
+        auto files = dropCase();
+        files["system/packParticlesDict"] = "lattice cubic;\nfill ( { region all; phase gas; } " + fill + " );\n";
+        const TestCase c(files);
+        for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
+        return c.runWell("sphFoamLike", "-dry-run");
+    };
+    const auto alone = plan(""), one = plan("{ region box; min (0.51 0.51 -1); max (0.54 0.54 1); phase liquid; }");
+    const std::string reason = "no surface tension: all particles are of gas, and nothing brings others";
+    EXPECT_NE(alone.find(reason), std::string::npos) << alone;
+    EXPECT_EQ(one.find(reason), std::string::npos);
+    for (const std::string word : {"background pressure", "capillary", "ColourGradient                   -> "})
+    {
+        EXPECT_EQ(alone.find(word), std::string::npos) << word;
+        EXPECT_NE(one.find(word), std::string::npos) << word << " in\n" << one;
+    }
+}
+
 }

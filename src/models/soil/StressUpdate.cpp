@@ -88,8 +88,7 @@ template<int dim> std::vector<Stage<dim>> StressUpdate<dim>::stages(JoinPoint pl
              : hasVariables(law) ? "sigma += dt (sigma^ + W.sigma - sigma.W), the law's state variables with it, in substeps"
              : levels_           ? "sigma, sigma_0 = sigma_0 + (dt_0 + dt) (sigma^(sigma, D) + W.sigma - sigma.W), sigma; in substeps"
                                  : "sigma += dt (sigma^(sigma, D) + W.sigma - sigma.W), in substeps",
-             [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
-             groups}};
+             [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, groups}};
 }
 
 template<int dim> void StressUpdate<dim>::checkVariables(const Particles<dim>& particles) const

@@ -49,8 +49,8 @@ const Choice stressDivergence{
     "symmetric",
     "the form of the force by the stress"};
 const Scalar hourglassStiffness{
-    "hourglassStiffness", units::none, 0, between(0, 0.5),
-    "k of a stiffness against motion that no strain answers, with `stressDivergence balanced`; about 0.2 where deformations are small"};
+    "hourglassStiffness", units::none, 0, between(0, 1),
+    "k of a stiffness against motion that no strain answers, with `stressDivergence balanced`; about 0.5 where deformations are small"};
 const Scalar stressSmoothing{"stressSmoothing", units::none, 0, between(0, 1),
                              "delta by which the stress's short-wave noise is smoothed; about 0.1 in collapses"};
 const Choice smoothingActs{"smoothingActs",
@@ -471,8 +471,8 @@ const Model& soilModel()
            poreWaterEntries()}},
          {"system/sphSchemes",
           {{entry::soil,
-            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::hourglassStiffness, entry::stressSmoothing,
-             entry::smoothingActs, entry::compactionSpeed, entry::shown}}}}},
+            {entry::alpha, entry::viscosityActs, entry::correctedFrom, entry::stressDivergence, entry::hourglassStiffness,
+             entry::stressSmoothing, entry::smoothingActs, entry::compactionSpeed, entry::shown}}}}},
         declare};
     return model;
 }

@@ -64,7 +64,8 @@ struct BalancedPoreStress : BalancedDivergenceOf<PoreStress>
 
 template<int dim> Catalogue<dim> soilTerms()
 {
-    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface, BalancedSoilStress, FitOfUnstrained, HourglassForce, OffFitOfUnstrained, AdvanceUnstrained, SoilViscosity,
+    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface,
+                     BalancedSoilStress, FitOfUnstrained, HourglassForce, OffFitOfUnstrained, AdvanceUnstrained, SoilViscosity,
                      SoilNoiseViscosity, StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence,
                      PoreStressDifference, PoreStressAtSurface, BalancedPoreStress, SurfaceOfSoil, Seepage, SeepageOfChange>();
 }

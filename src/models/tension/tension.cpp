@@ -147,8 +147,8 @@ void leaveOut(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     if (tensionsOf(c).any())
-        settings.reasons.push_back(fmt::format(
-            "no surface tension: all particles are of {}, and nothing brings others", c.phases[std::size_t(settings.facts.get<LonePhase>().phase)]));
+        settings.reasons.push_back(fmt::format("no surface tension: all particles are of {}, and nothing brings others",
+                                               c.phases[std::size_t(settings.facts.get<LonePhase>().phase)]));
     c.of<Tensions>() = {};
     reading.choose(entry::contactAngle, "wallPotential");
     reading.choose(entry::surfaceTension, "none");

@@ -517,8 +517,9 @@ double hourglassAcceleration(double more)
 {
     auto cloud = block<2>(16, 0.2);
     give(cloud, "unstrainedMotion", FieldClass::vector,
-         [&](std::size_t i)
-         { return std::vector<double>{0.03 * (cloud.x[i] - 3) + 0.07 * (cloud.y[i] - 3) + (i == 100) * more, -0.04 * (cloud.y[i] - 3), 0}; });
+         [&](std::size_t i) {
+             return std::vector<double>{0.03 * (cloud.x[i] - 3) + 0.07 * (cloud.y[i] - 3) + (i == 100) * more, -0.04 * (cloud.y[i] - 3), 0};
+         });
     auto files = blockCase("type isotropic; pressure 1e4;", "artificialViscosity 0; stressDivergence balanced; hourglassStiffness 0.2;");
     files["constant/soilProperties"] = "rho 1850; law elastic; elasticCoeffs { E 1e7; nu 0.3; }\n";
     const auto geometry = emptySpace(2);
