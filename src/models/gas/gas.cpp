@@ -22,7 +22,7 @@ const Choice gas{
       "as `whole`, and without the lattice of its background pressure far from the liquid: it stays at rest where nothing moves it"},
      {"band", "within some supports of the liquid, at a constant pressure beyond: where nothing asks for the motion of the gas"},
      {"none", "left out: the one phase is a liquid, whose free surface has the pressure 0, and the tension `sigma` of the phase"}},
-    "whole",
+    byScene("calm where all particles are of the lightest phase; else whole"),
     "where the gas is, the lightest phase"};
 const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
                      "width of the band, with `gas band;`: its outer support stands still"},
@@ -39,7 +39,7 @@ std::size_t lightest(const Coefficients& c) { return std::size_t(std::ranges::mi
 
 void declare(const Reading& reading)
 {
-    if (entry::gas(reading.schemes) == "none") reading.settings.facts.give(GasLeftOut{true}, "gas of system/sphSchemes");
+    if (entry::gas.is(reading.schemes, "none")) reading.settings.facts.give(GasLeftOut{true}, "gas of system/sphSchemes");
 }
 
 void prepareLiquidAlone(const Reading& reading)
@@ -67,7 +67,9 @@ void prepare(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
-    const auto& gas = reading.choose(entry::gas);
+    // Alone, nothing hangs on the lattice of its background pressure.
+    const bool alone = settings.facts.get<LonePhase>().phase == int(lightest(c));
+    const auto& gas = reading.choose(entry::gas, alone ? "calm" : "whole");
     if (gas != "band" && entry::gasBand.given(reading.schemes))
         entry::gasBand.error(reading.schemes, "is the width of `gas band;`: give that, or leave this out");
     if (gas == "none") return prepareLiquidAlone(reading);
@@ -142,8 +144,7 @@ const Model& gasModel()
          {"gas", [](const Settings& s) { return isInPart(s) && s.facts.get<OpenBoundary>().exists; },
           "band is for scenes without constant/openings: gas that stands behind their planes, and liquid that passes them through it, stirred one another; "
           "take `gas whole;`"},
-         {"gas",
-          [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0) && s.facts.get<LonePhase>().phase < 0; },
+         {"gas", [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0); },
           "calm leaves out a backgroundPressure above 0, and there is none"},
          {"gas", [](const Settings& s) { return isInPart(s) && !(s.coefficients.backgroundPressure > 0); },
           "band needs a backgroundPressure above 0, which is that of the gas beyond it"},

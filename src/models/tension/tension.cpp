@@ -141,7 +141,8 @@ bool haveShares(const Coefficients& c)
 /// All particles are of one phase. A band of gas joins it where it is missing.
 bool isAlone(const Settings& settings) { return settings.facts.get<LonePhase>().phase >= 0 && settings.facts.get<PhaseInPart>().phase < 0; }
 
-/// A phase alone has no interface: neither its passes, nor the background pressure that they ask for (models/pressure), nor its limit of the step.
+/// A phase alone has no interface, and needs no pass for it. The limit of the step and the background pressure (models/pressure) stay: without them an implicit step of a light gas is as long as its weight allows, and the gas
+/// comes to no rest (tutorials/stiff/gasAtRest).
 void leaveOut(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -149,7 +150,7 @@ void leaveOut(const Reading& reading)
     if (tensionsOf(c).any())
         settings.reasons.push_back(fmt::format("no surface tension: all particles are of {}, and nothing brings others",
                                                c.phases[std::size_t(settings.facts.get<LonePhase>().phase)]));
-    c.of<Tensions>() = {};
+    c.of<Tensions>().ofWalls.clear();
     reading.choose(entry::contactAngle, "wallPotential");
     reading.choose(entry::surfaceTension, "none");
     settings.chosen[entry::surfaceTension.keyword()] = "none";
