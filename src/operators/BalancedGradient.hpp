@@ -10,7 +10,7 @@
 ///
 ///   r_i = sum_j V_j (g_ji - g_ij),    b_i <- 0.99 b_i + 0.9 w_i r_i/p_i once a step,    p_i = sum_j V_j f_ij (1 - a_i.x_ji)
 ///
-/// By one sweep r falls to a fifth, by ten to a hundredth; b goes with the particles. w rises from 0 to 1 for lambda from 0.75 to 0.85, whatever the velocity gradient takes: at a surface the force of a uniform stress is that
+/// By one sweep r falls to a quarter, by ten to an eightieth; b goes with the particles. w rises from 0 to 1 for lambda from 0.75 to 0.85, whatever the velocity gradient takes: at a surface the force of a uniform stress is that
 /// of its traction, stays, and is balanced two or three rows deep. What these rows cannot bear goes on as a harmonic b without end; with the 0.99 it ends after some ten spacings.
 ///
 /// A [1], b [m], r [1/m], w/p [m^2], f [1/m^(d + 2)]. Of the raw gradient. Verified by test/unit/soil.
