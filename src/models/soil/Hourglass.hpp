@@ -5,10 +5,10 @@
 ///   dv_i/dt = V_i/m_i sum_j V_j f_ij k (M_i e_ij - M_j e_ji),    f_ij = -W'(r_ij)/r_ij,    B_i = sum_j V_j f_ij x_ji (x) x_ji
 ///   dxi_i/dt = v_i + M |dev D_i|/|sigma_i| e_i,    e_i = sum_j V_j f_ij e_ij/sum_j V_j f_ij
 ///
-/// xi [m] is the displacement; what of it is no straight line through its neighbours' is forgotten by a shear of |sigma|/M,
-/// so that soil may flow: the force stays below k times that of its stress; k [1] `hourglassStiffness`; M = rho c^2 [Pa] the stiffness of
-/// the soil. Since H fits xi with the weights f, E does not change with it, and the force is the gradient of E: it conserves linear momentum, and a displacement that is linear in space is not resisted, up to
-/// the surface. Ghosts of walls, whose displacement is not known, are left out, as in LinearFit.hpp. Lone particles, whose B has an eigenvalue below 0.4, have no share in E. The highest mode has c dt/H sqrt(56 k), to be below 2. Verified by test/unit/soil.
+/// xi [m] is the displacement; what of it is no straight line through its neighbours' is forgotten by a shear of |sigma|/M, so that soil may flow: the force stays below k times that of its stress; k [1]
+/// `hourglassStiffness`; M = rho c^2 [Pa] the stiffness of the soil. Since H fits xi with the weights f, E does not change with it, and the force is the gradient of E: it conserves linear momentum, and a displacement
+/// that is linear in space is not resisted, up to the surface. Ghosts of walls, whose displacement is not known, are left out, as in LinearFit.hpp. Lone particles, whose B has an eigenvalue below 0.4, have no
+/// share in E. The highest mode has c dt/H sqrt(56 k), to be below 2. E is not in the account of energy. Verified by test/unit/soil.
 #pragma once
 #include "models/soil/SoilFields.hpp"
 #include "operators/LinearFit.hpp"
@@ -53,10 +53,8 @@ struct FitOfUnstrained
     {
         constexpr int dim = dimensions(decltype(i.xi){});
         const bool fits = leastEigenvalue(sum.B) > least;
-        const double stiffness = fits ? k * i.rho * sqr(i.c) : 0;
-        return Values<Fields<UnstrainedGradient, HourglassModulus>, dim>{{sum.G *
-                                                                          full((fits ? 1 / determinant(sum.B) : 0.0) * adjugate(sum.B))},
-                                                                         {stiffness}};
+        const auto inverse = (fits ? 1 / determinant(sum.B) : 0.0) * adjugate(sum.B);
+        return Values<Fields<UnstrainedGradient, HourglassModulus>, dim>{{sum.G * full(inverse)}, {fits ? k * i.rho * sqr(i.c) : 0}};
     }
 };
 

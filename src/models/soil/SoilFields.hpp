@@ -44,7 +44,7 @@ struct SoilNumbers
 
 /// The group of the plan that runs at the velocities of a step's end.
 inline constexpr const char* ofStrain = "velocity gradient";
-/// That behind it, which advances what the balanced gradient and the hourglass stiffness carry from step to step.
+/// The group behind it: laws that advance the state of the balanced gradient and of the hourglass stiffness.
 inline constexpr const char* ofBalance = "balance of the gradient";
 
 /// Conversions in three dimensions, as base/StressTensor.hpp has them in two.

@@ -366,7 +366,7 @@ Divergence divergenceTerms(const std::string& form)
     return {{"soilStressDivergence"}, {"poreStressDivergence"}};
 }
 
-/// What the balanced gradient and the hourglass stiffness carry from step to step, advanced behind the strain.
+/// Adds the state of the balanced gradient and of the hourglass stiffness, and the laws that advance it behind the strain.
 void balanceGradient(Settings& settings, bool stiffens)
 {
     settings.groups.back().terms.emplace_back("gradientImbalance");
