@@ -8,10 +8,10 @@
 /// C_i is that of the corrected velocity gradient, a_i = B_i^-1 sum_j V_j f_ij x_ji, so that b leaves the gradient of a linear field alone. Whatever b is, forces cancel in pairs, and their power is
 /// -sum V S:grad v: energy goes where strain has it. b makes a uniform stress exert no force inside, where the corrected gradient alone makes the disorder of particles one:
 ///
-///   r_i = sum_j V_j (g_ji - g_ij),    b_i <- 0.99 b_i + 0.9 w_i r_i/p_i once a step,    p_i = sum_j V_j f_ij (1 - a_i.x_ji)
+///   r_i = sum_j V_j (g_ji - g_ij),    b_i += 0.9 w_i r_i/p_i once a step,    p_i = sum_j V_j f_ij (1 - a_i.x_ji)
 ///
 /// By one sweep r falls to a quarter, by ten to an eightieth; b goes with the particles. w rises from 0 to 1 for lambda from 0.75 to 0.85, whatever the velocity gradient takes: at a surface the force of a uniform stress is that
-/// of its traction, stays, and is balanced two or three rows deep. What these rows cannot bear goes on as a harmonic b without end; with the 0.99 it ends after some ten spacings.
+/// of its traction, and stays. What the rows next to it cannot bear goes on below as a b that is harmonic, of up to 0.6 spacings on a lattice.
 ///
 /// A [1], b [m], r [1/m], w/p [m^2], f [1/m^(d + 2)]. Of the raw gradient. Verified by test/unit/soil.
 #pragma once
@@ -96,9 +96,9 @@ struct AdvanceOffset
     static constexpr auto name = "gradientOffset";
     using Advances = GradientOffset;
     using ReadsOwn = Fields<GradientOffset, GradientImbalance, BalanceStep>;
-    static constexpr double relaxation = 0.9, leak = 0.01;
+    static constexpr double relaxation = 0.9;
 
-    auto operator()(const auto& i, double) const { return i.q > 0 ? (1 - leak) * i.b + relaxation * i.q * i.r : 0 * i.b; }
+    auto operator()(const auto& i, double) const { return i.q > 0 ? i.b + relaxation * i.q * i.r : 0 * i.b; }
 };
 
 struct BalancedVelocityGradient
