@@ -1138,7 +1138,7 @@ EarthPressure ofDisorder(const std::string& ofSoil)
     for (const char* program : {"packParticles", "meshToGhost", "sphFoamLike"}) c.runWell(program);
     return earthPressure(c, "2.3", 0.5135);
 }
-// Off the lattice each particle finds its own stress by the symmetric form, at any spacing (15 % at the worst); the balanced one keeps the bound of 3 %: measured 1.1 %.
+// Off the lattice each particle finds its own stress by the symmetric form, at any spacing (15 % at the worst); the balanced one keeps the bound of 3 % (tutorials/geomechanics/sandColumn).
 TEST(SoilColumn, IsCalmOffItsLattice)
 {
     EXPECT_LT(ofDisorder("stressDivergence balanced; hourglassStiffness 0.2;").worst, 0.02);
