@@ -389,9 +389,10 @@ TEST(ExtremeScenes, StepThatCollapses)
 // Gas that is alone has no interface, no pass of surface tension, and no lattice of its background pressure. A single particle of the liquid brings all of it back.
 TEST(ExtremeScenes, APhaseAloneHasNoSurfaceTension)
 {
-    const auto plan = [](const std::string& fill)
+    const auto plan = [](const std::string& fill, const std::string& schemes = "")
     {
         auto files = dropCase();
+        files["system/sphSchemes"] += schemes;
         files["system/packParticlesDict"] = "lattice cubic; allowEmpty yes;\nfill ( { region all; phase gas; } " + fill + " );\n";
         const TestCase c(files);
         for (const char* program : {"packParticles", "meshToGhost"}) c.runWell(program);
@@ -405,6 +406,8 @@ TEST(ExtremeScenes, APhaseAloneHasNoSurfaceTension)
     EXPECT_EQ(alone.find(gradient), std::string::npos);
     EXPECT_NE(one.find(gradient), std::string::npos) << one;
     EXPECT_NE(alone.find("ambientPressure"), std::string::npos) << alone;
+    for (const std::string schemes : {"backgroundPressure 0;\n", "surfaceTension none;\n"})
+        EXPECT_EQ(plan("", schemes).find("background pressure"), std::string::npos) << schemes;
 }
 
 }

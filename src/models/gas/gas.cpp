@@ -144,7 +144,8 @@ const Model& gasModel()
          {"gas", [](const Settings& s) { return isInPart(s) && s.facts.get<OpenBoundary>().exists; },
           "band is for scenes without constant/openings: gas that stands behind their planes, and liquid that passes them through it, stirred one another; "
           "take `gas whole;`"},
-         {"gas", [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0); },
+         {"gas",
+          [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0) && s.facts.get<LonePhase>().phase < 0; },
           "calm leaves out a backgroundPressure above 0, and there is none"},
          {"gas", [](const Settings& s) { return isInPart(s) && !(s.coefficients.backgroundPressure > 0); },
           "band needs a backgroundPressure above 0, which is that of the gas beyond it"},

@@ -59,8 +59,7 @@ void readBackground(const Reading& reading)
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
     if (const auto given = entry::backgroundPressure(reading.schemes)) c.backgroundPressure = *given;
-    else if ((settings.facts.get<InterfaceForces>().act || settings.facts.get<LonePhase>().phase >= 0) &&
-             !settings.facts.get<GasLeftOut>().isLeftOut)
+    else if (settings.facts.get<InterfaceForces>().act && !settings.facts.get<GasLeftOut>().isLeftOut)
     {
         c.backgroundPressure = 0.8 * settings.facts.get<InterfaceEnergy>().largest / c.spacing;
         settings.reasons.push_back(

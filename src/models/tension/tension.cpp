@@ -141,20 +141,21 @@ bool haveShares(const Coefficients& c)
 /// All particles are of one phase. A band of gas joins it where it is missing.
 bool isAlone(const Settings& settings) { return settings.facts.get<LonePhase>().phase >= 0 && settings.facts.get<PhaseInPart>().phase < 0; }
 
-/// A phase alone has no interface, and needs no pass for it. The limit of the step and the background pressure (models/pressure) stay: without them an implicit step of a light gas is as long as its weight allows, and the gas
-/// comes to no rest (tutorials/stiff/gasAtRest).
+/// A phase alone has no interface, and needs no pass for it. All else stays as beside another phase: without the limit of the step and the background pressure (models/pressure) an implicit step of a light gas is as long as
+/// its weight allows, and the gas comes to no rest (tutorials/stiff/gasAtRest).
 void leaveOut(const Reading& reading)
 {
     auto& settings = reading.settings;
     auto& c = settings.coefficients;
-    if (tensionsOf(c).any())
-        settings.reasons.push_back(fmt::format("no surface tension: all particles are of {}, and nothing brings others",
-                                               c.phases[std::size_t(settings.facts.get<LonePhase>().phase)]));
     c.of<Tensions>().ofWalls.clear();
     reading.choose(entry::contactAngle, "wallPotential");
-    reading.choose(entry::surfaceTension, "none");
-    settings.chosen[entry::surfaceTension.keyword()] = "none";
     settings.facts.give(ForceReach{2}, "the particles of the first time");
+    const bool acts = reading.choose(entry::surfaceTension, "curvature") != "none";
+    settings.chosen[entry::surfaceTension.keyword()] = "none";
+    if (!acts) return;
+    settings.facts.give(InterfaceForces{true}, "surfaceTension of system/sphSchemes");
+    settings.reasons.push_back(fmt::format("no surface tension: all particles are of {}, and nothing brings others",
+                                           c.phases[std::size_t(settings.facts.get<LonePhase>().phase)]));
 }
 
 /// The curvature form is the more exact and the calmer (tutorials laplaceDrop, contactAngle, bccBed, liquidLens); it goes with the wall potential. The

@@ -82,8 +82,7 @@ void prepare(const Reading& reading)
     // in place of 3.0.
     const bool powder = settings.facts.get<VaryingViscosity>().exists;
     const bool second = !reading.paper() && !geometry.patches.empty() && viscous(settings) &&
-                        settings.facts.get<PressureForce>().hasEnergy() && !settings.facts.get<InterfaceForces>().act &&
-                        settings.facts.get<LonePhase>().phase < 0 && !powder;
+                        settings.facts.get<PressureForce>().hasEnergy() && !settings.facts.get<InterfaceForces>().act && !powder;
     // Without the limit a column of soil between layers that hold it diverged (models/soil/README.md).
     const auto& rule = reading.choose(entry::wallVelocity, second ? "secondOrder" : layers && hasStress ? "morris" : "reflected");
     if (rule != "secondOrder") return;
