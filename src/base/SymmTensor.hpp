@@ -5,11 +5,11 @@
 namespace sph
 {
 
-template<int dim> struct SymmTensor;
+template<int dim, class Real = double> struct SymmTensor;
 
-template<> struct SymmTensor<2>
+template<class Real> struct SymmTensor<2, Real>
 {
-    double xx = 0, xy = 0, yy = 0;
+    Real xx = 0, xy = 0, yy = 0;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.xx, q.xy, q.yy); }
     static constexpr auto fieldClass = FieldClass::symmTensor;
     static constexpr auto names = std::to_array<std::string_view>({"xx", "xy", "yy"});
@@ -22,14 +22,17 @@ template<> struct SymmTensor<2>
     }
     friend constexpr SymmTensor operator+(SymmTensor a, SymmTensor b) { return {a.xx + b.xx, a.xy + b.xy, a.yy + b.yy}; }
     friend constexpr SymmTensor operator-(SymmTensor a, SymmTensor b) { return {a.xx - b.xx, a.xy - b.xy, a.yy - b.yy}; }
-    friend constexpr SymmTensor operator*(double s, SymmTensor a) { return {s * a.xx, s * a.xy, s * a.yy}; }
-    friend constexpr Vector<2> operator*(SymmTensor a, Vector<2> b) { return {a.xx * b.x + a.xy * b.y, a.xy * b.x + a.yy * b.y}; }
-    friend constexpr double trace(SymmTensor a) { return a.xx + a.yy; }
+    friend constexpr SymmTensor operator*(Real s, SymmTensor a) { return {s * a.xx, s * a.xy, s * a.yy}; }
+    friend constexpr Vector<2, Real> operator*(SymmTensor a, Vector<2, Real> b)
+    {
+        return {a.xx * b.x + a.xy * b.y, a.xy * b.x + a.yy * b.y};
+    }
+    friend constexpr Real trace(SymmTensor a) { return a.xx + a.yy; }
 };
 
-template<> struct SymmTensor<3>
+template<class Real> struct SymmTensor<3, Real>
 {
-    double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    Real xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.xx, q.xy, q.xz, q.yy, q.yz, q.zz); }
     static constexpr auto fieldClass = FieldClass::symmTensor;
     static constexpr auto names = std::to_array<std::string_view>({"xx", "xy", "xz", "yy", "yz", "zz"});
@@ -39,28 +42,37 @@ template<> struct SymmTensor<3>
         return {a.xx + b.xx, a.xy + b.xy, a.xz + b.xz, a.yy + b.yy, a.yz + b.yz, a.zz + b.zz};
     }
     friend constexpr SymmTensor operator-(SymmTensor a, SymmTensor b) { return a + -1.0 * b; }
-    friend constexpr SymmTensor operator*(double s, SymmTensor a) { return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz}; }
-    friend constexpr Vector<3> operator*(SymmTensor a, Vector<3> b)
+    friend constexpr SymmTensor operator*(Real s, SymmTensor a) { return {s * a.xx, s * a.xy, s * a.xz, s * a.yy, s * a.yz, s * a.zz}; }
+    friend constexpr Vector<3, Real> operator*(SymmTensor a, Vector<3, Real> b)
     {
         return {a.xx * b.x + a.xy * b.y + a.xz * b.z, a.xy * b.x + a.yy * b.y + a.yz * b.z, a.xz * b.x + a.yz * b.y + a.zz * b.z};
     }
-    friend constexpr double trace(SymmTensor a) { return a.xx + a.yy + a.zz; }
+    friend constexpr Real trace(SymmTensor a) { return a.xx + a.yy + a.zz; }
 };
 
 /// a a
-constexpr SymmTensor<2> outer(Vector<2> a) { return {a.x * a.x, a.x * a.y, a.y * a.y}; }
-constexpr SymmTensor<3> outer(Vector<3> a) { return {a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z}; }
+template<class Real> constexpr SymmTensor<2, Real> outer(Vector<2, Real> a) { return {a.x * a.x, a.x * a.y, a.y * a.y}; }
+template<class Real> constexpr SymmTensor<3, Real> outer(Vector<3, Real> a)
+{
+    return {a.x * a.x, a.x * a.y, a.x * a.z, a.y * a.y, a.y * a.z, a.z * a.z};
+}
 
 /// a b + b a, by components: a and b may have any units, so that outer(a + b) - outer(a) - outer(b) would lose the smaller of them.
-constexpr SymmTensor<2> twiceSymm(Vector<2> a, Vector<2> b) { return {2 * a.x * b.x, a.x * b.y + a.y * b.x, 2 * a.y * b.y}; }
-constexpr SymmTensor<3> twiceSymm(Vector<3> a, Vector<3> b)
+template<class Real> constexpr SymmTensor<2, Real> twiceSymm(Vector<2, Real> a, Vector<2, Real> b)
+{
+    return {2 * a.x * b.x, a.x * b.y + a.y * b.x, 2 * a.y * b.y};
+}
+template<class Real> constexpr SymmTensor<3, Real> twiceSymm(Vector<3, Real> a, Vector<3, Real> b)
 {
     return {2 * a.x * b.x, a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x, 2 * a.y * b.y, a.y * b.z + a.z * b.y, 2 * a.z * b.z};
 }
 
 /// a : b, and what the inverse is made of. The inverse of a singular tensor is not finite.
-constexpr double doubleDot(SymmTensor<2> a, SymmTensor<2> b) { return a.xx * b.xx + 2 * a.xy * b.xy + a.yy * b.yy; }
-constexpr double doubleDot(SymmTensor<3> a, SymmTensor<3> b)
+template<class Real> constexpr Real doubleDot(SymmTensor<2, Real> a, SymmTensor<2, Real> b)
+{
+    return a.xx * b.xx + 2 * a.xy * b.xy + a.yy * b.yy;
+}
+template<class Real> constexpr Real doubleDot(SymmTensor<3, Real> a, SymmTensor<3, Real> b)
 {
     return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + 2 * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
@@ -91,13 +103,16 @@ inline double leastEigenvalue(SymmTensor<3> a)
 }
 
 /// (a b + b a)/2
-template<int dim> constexpr SymmTensor<dim> symm(Vector<dim> a, Vector<dim> b) { return 0.5 * twiceSymm(a, b); }
+template<int dim, class Real> constexpr SymmTensor<dim, Real> symm(Vector<dim, Real> a, Vector<dim, Real> b)
+{
+    return 0.5 * twiceSymm(a, b);
+}
 
 /// The unit tensor of the space that the argument lives in.
-constexpr SymmTensor<2> identity(Vector<2>) { return {1, 0, 1}; }
-constexpr SymmTensor<3> identity(Vector<3>) { return {1, 0, 0, 1, 0, 1}; }
-constexpr SymmTensor<2> identity(SymmTensor<2>) { return {1, 0, 1}; }
-constexpr SymmTensor<3> identity(SymmTensor<3>) { return {1, 0, 0, 1, 0, 1}; }
+template<class Real> constexpr SymmTensor<2, Real> identity(Vector<2, Real>) { return {1, 0, 1}; }
+template<class Real> constexpr SymmTensor<3, Real> identity(Vector<3, Real>) { return {1, 0, 0, 1, 0, 1}; }
+template<class Real> constexpr SymmTensor<2, Real> identity(SymmTensor<2, Real>) { return {1, 0, 1}; }
+template<class Real> constexpr SymmTensor<3, Real> identity(SymmTensor<3, Real>) { return {1, 0, 0, 1, 0, 1}; }
 
 /// R S R with R = I - 2 n n: the mirror image in a plane of unit normal n.
 template<int dim> constexpr SymmTensor<dim> mirrored(SymmTensor<dim> S, Vector<dim> n)

@@ -9,11 +9,11 @@
 namespace sph
 {
 
-template<int dim> struct Vector;
+template<int dim, class Real = double> struct Vector;
 
-template<> struct Vector<2>
+template<class Real> struct Vector<2, Real>
 {
-    double x = 0, y = 0;
+    Real x = 0, y = 0;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.x, q.y); }
     static constexpr auto fieldClass = FieldClass::vector;
     static constexpr auto names = std::to_array<std::string_view>({"x", "y"});
@@ -29,7 +29,7 @@ template<> struct Vector<2>
         y -= b.y;
         return *this;
     }
-    constexpr Vector& operator*=(double s)
+    constexpr Vector& operator*=(Real s)
     {
         x *= s;
         y *= s;
@@ -38,15 +38,15 @@ template<> struct Vector<2>
     friend constexpr Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
     friend constexpr Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
     friend constexpr Vector operator-(Vector a) { return {-a.x, -a.y}; }
-    friend constexpr Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
-    friend constexpr Vector operator/(Vector a, double s) { return {a.x / s, a.y / s}; }
+    friend constexpr Vector operator*(Real s, Vector a) { return {s * a.x, s * a.y}; }
+    friend constexpr Vector operator/(Vector a, Real s) { return {a.x / s, a.y / s}; }
     friend constexpr bool operator==(Vector, Vector) = default;
-    friend constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+    friend constexpr Real dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 };
 
-template<> struct Vector<3>
+template<class Real> struct Vector<3, Real>
 {
-    double x = 0, y = 0, z = 0;
+    Real x = 0, y = 0, z = 0;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.x, q.y, q.z); }
     static constexpr auto fieldClass = FieldClass::vector;
     static constexpr auto names = std::to_array<std::string_view>({"x", "y", "z"});
@@ -64,7 +64,7 @@ template<> struct Vector<3>
         z -= b.z;
         return *this;
     }
-    constexpr Vector& operator*=(double s)
+    constexpr Vector& operator*=(Real s)
     {
         x *= s;
         y *= s;
@@ -74,23 +74,23 @@ template<> struct Vector<3>
     friend constexpr Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend constexpr Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
     friend constexpr Vector operator-(Vector a) { return {-a.x, -a.y, -a.z}; }
-    friend constexpr Vector operator*(double s, Vector a) { return {s * a.x, s * a.y, s * a.z}; }
-    friend constexpr Vector operator/(Vector a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+    friend constexpr Vector operator*(Real s, Vector a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend constexpr Vector operator/(Vector a, Real s) { return {a.x / s, a.y / s, a.z / s}; }
     friend constexpr bool operator==(Vector, Vector) = default;
-    friend constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend constexpr Real dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
     friend constexpr Vector cross(Vector a, Vector b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 };
 
 constexpr double sqr(double a) { return a * a; }
 
-template<int dim> double mag(Vector<dim> a) { return std::sqrt(dot(a, a)); }
+template<int dim, class Real> Real mag(Vector<dim, Real> a) { return sqrt(dot(a, a)); }
 
 /// a - 2 (a.n) n: the mirror image in a plane of unit normal n. A scalar is its own.
 template<int dim> constexpr Vector<dim> mirrored(Vector<dim> a, Vector<dim> n) { return a - 2 * dot(a, n) * n; }
 template<int dim> constexpr double mirrored(double a, Vector<dim>) { return a; }
 
 /// The number of dimensions of the space that the argument lives in.
-template<int dim> constexpr int dimensions(Vector<dim>) { return dim; }
+template<int dim, class Real> constexpr int dimensions(Vector<dim, Real>) { return dim; }
 
 /// Positions and vectors on disk and in dictionaries always have three components; a 2-D scene lives in the x-y plane.
 template<int dim> constexpr Vector<dim> in(Vector<3> a)

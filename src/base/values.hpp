@@ -3,22 +3,25 @@
 /// A type declares its parts in order, `parts(q, f)` calls f(q.x, q.y ...); parts are numbers or have parts themselves, so that what one loop
 /// sums may be a struct of tensors. A type that fields have also declares its class on disk and the names of its components there.
 #pragma once
+#include "base/Single.hpp"
 #include "base/StressTensor.hpp"
 
 namespace sph
 {
 
-/// A whole number that is computed with as a double, and on disk is a label.
-struct Label
+/// A whole number that is computed with as a Real, and on disk is a label.
+template<class Real> struct LabelOf
 {
-    double number = 0;
-    constexpr Label() = default;
-    constexpr Label(double n) : number(n) {}
-    constexpr operator double() const { return number; }
+    Real number = 0;
+    constexpr LabelOf() = default;
+    constexpr LabelOf(Real n) : number(n) {}
+    constexpr operator Real() const { return number; }
+    constexpr explicit operator int() const requires(!std::is_same_v<Real, double>) { return int(number); }
     static constexpr auto parts(auto& q, const auto& f) { return f(q.number); }
     static constexpr auto fieldClass = FieldClass::label;
     static constexpr auto names = std::to_array<std::string_view>({""});
 };
+using Label = LabelOf<double>;
 
 namespace detail
 {
@@ -31,12 +34,31 @@ template<> struct Components<double>
 {
     static constexpr int count = 1;
 };
+template<> struct Components<Single> : Components<double>
+{};
+
+template<class T> struct DoubleOf
+{
+    using type = T;
+};
+template<> struct DoubleOf<Single>
+{
+    using type = double;
+};
+template<template<int, class> class T, int dim> struct DoubleOf<T<dim, Single>>
+{
+    using type = T<dim, double>;
+};
 }
+/// The same value in double precision.
+template<class T> using InDouble = typename detail::DoubleOf<T>::type;
+
 /// Number of components of a value.
 template<class T> constexpr int components = detail::Components<T>::count;
 
 /// Sets number c of a value to component(c), one after another; `store` calls set(c, number).
 constexpr void fetch(double& q, const auto& component) { q = component(0); }
+constexpr void fetch(Single& q, const auto& component) { q = component(0); }
 template<class T> constexpr void fetch(T& q, const auto& component)
 {
     [[maybe_unused]] int first = 0;
@@ -51,11 +73,12 @@ template<class Value> constexpr Value valueAt(const auto& arrays, std::size_t i)
     return q;
 }
 constexpr void store(double q, const auto& set) { set(0, q); }
+constexpr void store(Single q, const auto& set) { set(0, q); }
 template<class T> constexpr void store(const T& q, const auto& set)
 {
     [[maybe_unused]] int first = 0;
     T::parts(q, [&]<class... Part>(const Part&... part)
-             { ((store(part, [&](int c, double number) { set(first + c, number); }), first += components<Part>), ...); });
+             { ((store(part, [&](int c, auto number) { set(first + c, number); }), first += components<Part>), ...); });
 }
 
 /// A value's type as known at run time: its class on disk, and the place there of each component. A component without a place in a value is 0 on disk.

@@ -7,15 +7,15 @@ namespace sph
 {
 
 // clang-format off
-struct SlopeSum            { static constexpr FieldInfo info{"slopeSum", "1/m^4", Image::mirrored};      template<int dim> struct At { Vector<dim> g; }; };
-struct SurfaceShare        { static constexpr FieldInfo info{"surfaceShare", "1"};                      template<int dim> struct At { double t; }; };
-struct SurfaceLack         { static constexpr FieldInfo info{"surfaceLack", "1"};                       template<int dim> struct At { double lack; }; };
-struct SurfaceDepth        { static constexpr FieldInfo info{"surfaceDepth", "m"};                      template<int dim> struct At { double z; }; };
-struct LiquidNormal        { static constexpr FieldInfo info{"liquidNormal", "1", Image::mirrored};     template<int dim> struct At { Vector<dim> n_l; }; };
-struct TensionAcceleration { static constexpr FieldInfo info{"dUdtByTension", "m/s^2", Image::mirrored}; template<int dim> struct At { Vector<dim> a_t; }; };
+struct SlopeSum            { static constexpr FieldInfo info{"slopeSum", "1/m^4", Image::mirrored};      template<int dim, class Real = double> struct At { Vector<dim, Real> g; }; };
+struct SurfaceShare        { static constexpr FieldInfo info{"surfaceShare", "1"};                      template<int dim, class Real = double> struct At { Real t; }; };
+struct SurfaceLack         { static constexpr FieldInfo info{"surfaceLack", "1"};                       template<int dim, class Real = double> struct At { Real lack; }; };
+struct SurfaceDepth        { static constexpr FieldInfo info{"surfaceDepth", "m"};                      template<int dim, class Real = double> struct At { Real z; }; };
+struct LiquidNormal        { static constexpr FieldInfo info{"liquidNormal", "1", Image::mirrored};     template<int dim, class Real = double> struct At { Vector<dim, Real> n_l; }; };
+struct TensionAcceleration { static constexpr FieldInfo info{"dUdtByTension", "m/s^2", Image::mirrored}; template<int dim, class Real = double> struct At { Vector<dim, Real> a_t; }; };
 /// The number of a particle, which its images have too; how many ghosts of walls a particle sees.
-struct ParticleNumber      { static constexpr FieldInfo info{"number", "1"};                            template<int dim> struct At { double number; }; };
-struct GhostsSeen          { static constexpr FieldInfo info{"ghostsSeen", "1"};                        template<int dim> struct At { double ghosts; }; };
+struct ParticleNumber      { static constexpr FieldInfo info{"number", "1"};                            template<int dim, class Real = double> struct At { Real number; }; };
+struct GhostsSeen          { static constexpr FieldInfo info{"ghostsSeen", "1"};                        template<int dim, class Real = double> struct At { Real ghosts; }; };
 // clang-format on
 
 /// Share by which what acts in the interior of the liquid alone acts on a particle: 1 far from the surface, 0 from t = t_s on.

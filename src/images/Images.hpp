@@ -32,7 +32,7 @@ public:
     Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr, double reachOfWalls = 0);
 
     /// Units of records in single precision, those of columns 1.
-    SingleUnits<dim> singleUnits() const { return {in<dim>(walls_.geometry().low), in<dim>(walls_.geometry().high)}; }
+    PlaceUnits<dim> placeUnits() const { return {in<dim>(walls_.geometry().low), in<dim>(walls_.geometry().high)}; }
     /// The walls around a place, as far as images reach.
     const NearWalls& nearWalls() const { return walls_.near(); }
     /// Rules by which images beyond walls get the values of fields.

@@ -21,8 +21,6 @@
 namespace sph
 {
 
-template<int dim> struct Stencil;
-
 /// Extrapolation of a layer particle's own value from those of the fluid: with weights W, or w of LayerFit.hpp.
 enum class Extrapolation
 {
@@ -60,7 +58,7 @@ public:
 
     /// Gives the wall particles of a stencil what its particle sees in them (layerPairs.hpp). `columns`: the fields that the stencil has gathered, each with
     /// its `info` and `type`, first to last; `own`: where each column comes from; `scale`: the column of gradientScale, or -1.
-    void continueInto(Stencil<dim>&, std::span<const InLayersOf> inLayers, const auto& columns, std::span<const double* const> own,
+    void continueInto(auto& stencil, std::span<const InLayersOf> inLayers, const auto& columns, std::span<const double* const> own,
                       int scale) const;
 
     std::size_t bytes() const;

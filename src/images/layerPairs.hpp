@@ -65,7 +65,7 @@ public:
 };
 
 template<int dim>
-void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLayersOf> inLayers, const auto& columns,
+void WallLayers<dim>::continueInto(auto& stencil, std::span<const InLayersOf> inLayers, const auto& columns,
                                    std::span<const double* const> own, int scale) const
 {
     const long first = long(first_);
@@ -74,7 +74,7 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
     const auto isWall = [&](long j) { return static_cast<unsigned long>(j - first) < count; };
     int found = 0;
 #pragma omp simd reduction(+ : found)
-    for (int t = 0; t < stencil.n; ++t) found += isWall(stencil.j[t]);
+    for (int t = 0; t < stencil.listed; ++t) found += isWall(stencil.j[t]);
     if (found == 0) return;
 
     const auto i = std::size_t(stencil.i);
@@ -87,14 +87,14 @@ void WallLayers<dim>::continueInto(Stencil<dim>& stencil, std::span<const InLaye
     for (std::size_t field = 0; field < columns.size(); ++field) seenByWalls = seenByWalls || isSeenByWalls(field);
     std::optional<Feet> feet;
     std::array<Reflection<dim>, dim> at;
-    for (int t = 0; t < stencil.n; ++t)
+    for (int t = 0; t < stencil.listed; ++t)
     {
         if (!isWall(stencil.j[t])) continue;
         const Particle& particle = particles[std::size_t(stencil.j[t] - first)];
         if (!feet && seenByWalls)
         {
             Vector<dim> x_ij;
-            fetch(x_ij, [&](int c) { return stencil.x[c][t]; });
+            fetch(x_ij, [&](int c) { return double(stencil.x[c][t]); });
             feet.emplace(*this, particle.x + x_ij);
         }
         const auto walls = wallsOf(particle);

@@ -10,7 +10,7 @@
 ///
 /// (1 - theta dt L - theta^2 dt^2 K) dv = dt a is solved by conjugate gradients in the inner product sum_i m_i u_i.v_i, in which L and K are symmetric
 /// (walls that are curved make them so within a per cent, which the iteration bears), preconditioned by 1 + theta dt lambda_i + theta^2 dt^2 kappa_i with
-/// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept. They see directions and places
+/// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept. They are computed
 /// in single precision (plan/README.md) down to a tolerance of 1e-6, below it in double: rounding by 6e-8 is far below what the iteration leaves.
 ///
 /// The remaining residual r must not change the momentum. With viscosity alone r is added to dv, and v_1 = v_0 + dt (a + theta L dv) for the dv

@@ -2,6 +2,7 @@
 #include "dictionary/addDefaults.hpp"
 #include "integrators/ImplicitSolve.hpp"
 #include "scene/TwoLevels.hpp"
+#include "scene/singlePrecision.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -184,7 +185,8 @@ void readSolve(const Reading& reading, const Dictionary& dict)
                                .changed = {VelocityChange::info.name},
                                .inputs = {VelocityChange::info.name},
                                .repeats = true,
-                               .bearsSingle = integration.tolerance >= leastOfSinglePrecision});
+                               .bearsSingle = integration.tolerance >= leastOfSinglePrecision &&
+                                              singlePrecisionFails(settings.resolution.spacing, reading.geometry).empty()});
     if (integration.solvesPressure) settings.state.push_back({.value = stateField(DelayedImpulse{}), .advancedByModel = true});
     settings.runningModels.push_back(running<ImplicitSolve>());
 }

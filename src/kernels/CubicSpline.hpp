@@ -17,15 +17,15 @@ template<int dim> struct CubicSpline
     double H;
     double h = 0.5 * H, inverseh = 1 / h, k = dim == 2 ? 10 / (7 * std::numbers::pi * h * h) : 1 / (std::numbers::pi * h * h * h);
 
-    double W(double r) const
+    auto W(auto r) const
     {
-        const double q = r * inverseh, a = std::fmax(0.0, 2 - q), b = std::fmax(0.0, 1 - q);
+        const auto q = r * inverseh, a = fmax(decltype(r){}, 2 - q), b = fmax(decltype(r){}, 1 - q);
         return k * (0.25 * a * a * a - b * b * b);
     }
-    double dWdrOverR(double r) const
+    auto dWdrOverR(auto r) const
     {
-        const double q = r * inverseh, a = std::fmax(0.0, 2 - q);
-        const double outside = -0.75 * a * a / std::fmax(q, 0.5), inside = -3 + 2.25 * q;
+        const auto q = r * inverseh, a = fmax(decltype(r){}, 2 - q);
+        const auto outside = -0.75 * a * a / fmax(q, decltype(q){0.5}), inside = -3 + 2.25 * q;
         return k * inverseh * inverseh * (q < 1 ? inside : outside);
     }
 };

@@ -16,16 +16,16 @@ template<int dim> struct QuinticSpline
     double H;
     double h = H / 3, inverseh = 1 / h, k = dim == 2 ? 7 / (478 * std::numbers::pi * h * h) : 1 / (120 * std::numbers::pi * h * h * h);
 
-    double W(double r) const
+    auto W(auto r) const
     {
-        const double q = r * inverseh, a = std::fmax(0.0, 3 - q), b = std::fmax(0.0, 2 - q), c = std::fmax(0.0, 1 - q);
+        const auto q = r * inverseh, a = fmax(decltype(r){}, 3 - q), b = fmax(decltype(r){}, 2 - q), c = fmax(decltype(r){}, 1 - q);
         return k * (sqr(sqr(a)) * a - 6 * sqr(sqr(b)) * b + 15 * sqr(sqr(c)) * c);
     }
-    double dWdrOverR(double r) const
+    auto dWdrOverR(auto r) const
     {
-        const double q = r * inverseh, a = std::fmax(0.0, 3 - q), b = std::fmax(0.0, 2 - q), c = std::fmax(0.0, 1 - q);
-        const double slope = -5 * (sqr(sqr(a)) - 6 * sqr(sqr(b)) + 15 * sqr(sqr(c)));
-        return k * inverseh * inverseh * (q < 1e-4 ? -120.0 : slope / std::fmax(q, 1e-4));
+        const auto q = r * inverseh, a = fmax(decltype(r){}, 3 - q), b = fmax(decltype(r){}, 2 - q), c = fmax(decltype(r){}, 1 - q);
+        const auto slope = -5 * (sqr(sqr(a)) - 6 * sqr(sqr(b)) + 15 * sqr(sqr(c)));
+        return k * inverseh * inverseh * (q < 1e-4 ? -120.0 : slope / fmax(q, 1e-4));
     }
 };
 

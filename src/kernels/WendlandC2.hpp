@@ -17,14 +17,14 @@ template<int dim> struct WendlandC2
     double k = dim == 2 ? 7 / (std::numbers::pi * H * H) : 21 / (2 * std::numbers::pi * H * H * H);
     double inverseH = 1 / H, kPrime = -20 * k / (H * H);
 
-    double W(double r) const
+    auto W(auto r) const
     {
-        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        const auto s = r * inverseH, a = fmax(decltype(r){}, 1 - s);
         return k * sqr(sqr(a)) * (1 + 4 * s);
     }
-    double dWdrOverR(double r) const
+    auto dWdrOverR(auto r) const
     {
-        const double a = std::fmax(0.0, 1 - r * inverseH);
+        const auto a = fmax(decltype(r){}, 1 - r * inverseH);
         return kPrime * a * a * a;
     }
 };

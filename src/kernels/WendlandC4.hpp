@@ -15,14 +15,14 @@ template<int dim> struct WendlandC4
     double k = dim == 2 ? 9 / (std::numbers::pi * H * H) : 495 / (32 * std::numbers::pi * H * H * H);
     double inverseH = 1 / H, kPrime = -56.0 / 3 * k / (H * H);
 
-    double W(double r) const
+    auto W(auto r) const
     {
-        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        const auto s = r * inverseH, a = fmax(decltype(r){}, 1 - s);
         return k * sqr(a * a * a) * (1 + 6 * s + 35.0 / 3 * s * s);
     }
-    double dWdrOverR(double r) const
+    auto dWdrOverR(auto r) const
     {
-        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        const auto s = r * inverseH, a = fmax(decltype(r){}, 1 - s);
         return kPrime * sqr(sqr(a)) * a * (1 + 5 * s);
     }
 };

@@ -15,14 +15,14 @@ template<int dim> struct WendlandC6
     double k = dim == 2 ? 78 / (7 * std::numbers::pi * H * H) : 1365 / (64 * std::numbers::pi * H * H * H);
     double inverseH = 1 / H, kPrime = -22 * k / (H * H);
 
-    double W(double r) const
+    auto W(auto r) const
     {
-        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        const auto s = r * inverseH, a = fmax(decltype(r){}, 1 - s);
         return k * sqr(sqr(sqr(a))) * (1 + s * (8 + s * (25 + s * 32)));
     }
-    double dWdrOverR(double r) const
+    auto dWdrOverR(auto r) const
     {
-        const double s = r * inverseH, a = std::fmax(0.0, 1 - s);
+        const auto s = r * inverseH, a = fmax(decltype(r){}, 1 - s);
         return kPrime * sqr(sqr(a)) * a * a * a * (1 + s * (7 + 16 * s));
     }
 };

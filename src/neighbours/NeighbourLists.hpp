@@ -22,12 +22,12 @@ struct KeptSlopes
     float* single = nullptr;
 
     explicit operator bool() const { return exact || single; }
-    void keep(const double* from, int n) const
+    void keep(const auto* from, int n) const
     {
-        if (single) std::copy_n(from, n, single);
-        else std::copy_n(from, n, exact);
+        if (single) std::transform(from, from + n, single, [](auto q) { return float(q); });
+        else std::transform(from, from + n, exact, [](auto q) { return double(q); });
     }
-    void read(double* to, int n) const
+    void read(auto* to, int n) const
     {
         if (single) std::copy_n(single, n, to);
         else std::copy_n(exact, n, to);

@@ -16,12 +16,14 @@ namespace sph
 {
 
 /// One pair as a term sees it. Members that a term does not use cost nothing: they are made from the block in place.
-template<int dim> struct Pair
+template<int dim, class Real = double> struct Pair
 {
-    Vector<dim> x;
-    double W, dWdrOverR;
-    double rr = dot(x, x); ///< r^2
-    Vector<dim> gradW = dWdrOverR * x;
+    Vector<dim, Real> x;
+    Real W, dWdrOverR;
+    Real rr = dot(x, x); ///< r^2
+    Vector<dim, Real> gradW = dWdrOverR * x;
+    /// q, and 0 where the two are one particle.
+    auto ofOther(Real q) const { return rr > 0 ? q : Real{}; }
 };
 
 /// What is known of the neighbours of a particle before its stencil is filled.
@@ -32,16 +34,61 @@ struct KnownNeighbours
     KeptSlopes slopes = {};    ///< (dW/dr)/r of the pairs, factors applied; none where they are to be computed
 };
 
-template<int dim> struct Stencil
+/// Columns of the factors that W and gradW of a pair carry.
+struct PairFactors
+{
+    int weight = -1; ///< volume factors of images; -1 where every wall is plane, and where no factor is wanted
+    int scale = -1;  ///< gradientScale N: gradW is divided by (N_i + N_j)/2; -1 where the pass has the raw gradient, or kept ones
+};
+
+/// The columns of a stencil, of numbers of that precision.
+template<int dim, class Real> struct PairColumns
 {
     static constexpr int lanes = NeighbourLists<dim>::lanes, capacity = NeighbourLists<dim>::mostNeighbours + 2 * lanes, maxColumns = 40;
-    using Column = double[capacity];
+    using Column = Real[capacity];
 
-    int i, n;            ///< particle; entries, a multiple of the lanes
-    bool single = false; ///< values of neighbours are those of single precision
-    const int* j;        ///< of each entry
-    alignas(64) Column x[dim], r, W, dWdrOverR, field[maxColumns];
-    int kept[capacity]; ///< of a list with a skin, those within the support
+    int i, n;                                                       ///< particle; entries, a multiple of the lanes
+    int listed;                                                     ///< of them, those that `j` names
+    const int* j;                                                   ///< of each entry
+    alignas(64) Column x[dim], W, dWdrOverR, field[maxColumns + 4]; ///< the last of records of single precision may be empty
+
+    Pair<dim, Real> pair(int t) const
+    {
+        Vector<dim, Real> x_ij;
+        fetch(x_ij, [&](int c) { return x[c][t]; });
+        return {x_ij, W[t], dWdrOverR[t]};
+    }
+
+    /// gradW that was known has its own factors.
+    void applyFactors(const PairFactors factors, std::span<const double* const> columns, bool readsW, bool knownGradW)
+    {
+        const Real* const weight = factors.weight >= 0 ? field[factors.weight] : nullptr;
+        if (factors.scale >= 0)
+        {
+            const Real* const N = field[factors.scale];
+            const Real N_i(columns[factors.scale][i]);
+            if (weight)
+#pragma GCC ivdep
+                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 * weight[t] / (N_i + N[t]);
+            else
+#pragma GCC ivdep
+                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 / (N_i + N[t]);
+        }
+        else if (weight && !knownGradW)
+#pragma GCC ivdep
+            for (int t = 0; t < n; ++t) dWdrOverR[t] *= weight[t];
+        if (weight && readsW)
+#pragma GCC ivdep
+            for (int t = 0; t < n; ++t) W[t] *= weight[t];
+    }
+};
+
+template<int dim, class Real = double> struct Stencil : PairColumns<dim, Real>
+{
+    using Columns = PairColumns<dim, Real>;
+    using Columns::dWdrOverR, Columns::field, Columns::i, Columns::j, Columns::lanes, Columns::listed, Columns::n, Columns::W;
+    alignas(64) typename Columns::Column r;
+    int kept[Columns::capacity]; ///< of a list with a skin, those within the support
 
     /// Columns that travel in packed records with the positions.
     static constexpr int packedColumns = recordSize - dim;
@@ -62,12 +109,6 @@ template<int dim> struct Stencil
         return sum;
     }
 
-    struct Factors
-    {
-        int weight = -1; ///< volume factors of images; -1 where every wall is plane, and where no factor is wanted
-        int scale = -1;  ///< gradientScale N: gradW is divided by (N_i + N_j)/2; -1 where the pass has the raw gradient, or kept ones
-    };
-
     /// `records`: positions and the first columns of all particles packed (records.hpp), then arrays of further columns of so many `particles`. W and gradW
     /// are those of the kernel until `applyFactors`, unless gradW is known. r is computed for the kernel alone.
     template<class K>
@@ -76,7 +117,6 @@ template<int dim> struct Stencil
                                bool readsW, long nullParticle)
     {
         i = particle;
-        single = false;
         Vector<dim> x_i;
         fetch(x_i, [&](int c) { return position[c][particle]; });
         j = known.list.data();
@@ -87,6 +127,7 @@ template<int dim> struct Stencil
             while (n % lanes) kept[n++] = int(nullParticle);
             j = kept;
         }
+        listed = n;
         const int count = int(columns.size()), packed = std::min(count, packedColumns);
         fromRecords(records, x_i, sqr(kernel.H), packed, readsW || !known.slopes);
 
@@ -108,50 +149,6 @@ template<int dim> struct Stencil
         if (c < count)
 #pragma GCC ivdep
             for (int t = 0; t < n; ++t) field[c][t] = columns[c][j[t]];
-    }
-
-    /// As `fill`, from records of single precision, where the neighbours within the support and (dW/dr)/r of their pairs are known.
-    void fillSingle(int particle, const KnownNeighbours& known, const float* records, int columnCount, const SingleUnits<dim>& units)
-    {
-        i = particle;
-        single = true;
-        j = known.list.data();
-        n = int(known.list.size());
-        gatherSingleRecords<dim>(records, columnCount, units, i, j, n, *this);
-        known.slopes.read(dWdrOverR, n);
-    }
-
-    /// A value of the particle itself, as its neighbours see it: what two particles exert on one another then cancels.
-    double valueOf(double q) const { return single ? toSinglePrecision(q) : q; }
-
-    /// `factors` names the columns of the factors that W and gradW carry; gradW that was known has its own.
-    void applyFactors(const Factors factors, std::span<const double* const> columns, bool readsW, bool knownGradW)
-    {
-        const double* const weight = factors.weight >= 0 ? field[factors.weight] : nullptr;
-        if (factors.scale >= 0)
-        {
-            const double* const N = field[factors.scale];
-            const double N_i = columns[factors.scale][i];
-            if (weight)
-#pragma GCC ivdep
-                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 * weight[t] / (N_i + N[t]);
-            else
-#pragma GCC ivdep
-                for (int t = 0; t < n; ++t) dWdrOverR[t] *= 2 / (N_i + N[t]);
-        }
-        else if (weight && !knownGradW)
-#pragma GCC ivdep
-            for (int t = 0; t < n; ++t) dWdrOverR[t] *= weight[t];
-        if (weight && readsW)
-#pragma GCC ivdep
-            for (int t = 0; t < n; ++t) W[t] *= weight[t];
-    }
-
-    Pair<dim> pair(int t) const
-    {
-        Vector<dim> x_ij;
-        fetch(x_ij, [&](int c) { return x[c][t]; });
-        return {x_ij, W[t], dWdrOverR[t]};
     }
 
 private:
@@ -177,6 +174,44 @@ private:
         default:
             return gather(std::integral_constant<int, packedColumns>{});
         }
+    }
+};
+
+/// A stencil of single precision, in as many lanes as a vector has floats: positions and all columns come from one array of records.
+template<int dim> struct Stencil<dim, Single> : PairColumns<dim, Single>
+{
+    using Columns = PairColumns<dim, Single>;
+    using Columns::dWdrOverR, Columns::i, Columns::j, Columns::lanes, Columns::listed, Columns::n, Columns::W, Columns::x;
+    alignas(64) typename Columns::Column r;
+    int kept[Columns::capacity];
+
+    /// As above; null particles lie beyond any support (PlaceUnits).
+    template<class K>
+    void fill(int particle, const KnownNeighbours& known, const float* records, int columnCount, const PlaceUnits<dim>& units,
+              const K kernel, bool readsW, long nullParticle)
+    {
+        i = particle;
+        j = known.list.data();
+        listed = int(known.list.size());
+        if (!known.within)
+        {
+            listed = selectSingleRecords<dim>(records, columnCount, units, i, j, listed, kernel.H, kept);
+            while (listed % lanes) kept[listed++] = int(nullParticle);
+            j = kept;
+        }
+        n = gatherSingleRecords<dim>(records, columnCount, units, i, j, listed, *this);
+        if (readsW || !known.slopes)
+#pragma GCC ivdep
+            for (int t = 0; t < n; ++t) r[t] = sqrt(this->pair(t).rr);
+        if (known.slopes) known.slopes.read(&dWdrOverR[0].value, listed);
+        else
+#pragma GCC ivdep
+            for (int t = 0; t < n; ++t) dWdrOverR[t] = kernel.dWdrOverR(r[t]);
+        std::fill(dWdrOverR + listed, dWdrOverR + n, Single{});
+        if (!readsW) return;
+#pragma GCC ivdep
+        for (int t = 0; t < n; ++t) W[t] = kernel.W(r[t]);
+        std::fill(W + listed, W + n, Single{});
     }
 };
 

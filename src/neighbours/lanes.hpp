@@ -93,7 +93,6 @@ template<> struct Lanes<2> : detail::AnyLanes<2>
 {
     static Longs widened(Ints v) { return __builtin_convertvector(v, Longs); }
     static Doubles widened(Floats v) { return Doubles{v[0], v[1]}; }
-    static Doubles asDoubles(Ints v) { return Doubles{double(v[0]), double(v[1])}; }
     static Ints rounded(Doubles v) { return Ints{detail::rounded(v[0]), detail::rounded(v[1])}; }
     static Floats narrowed(Doubles v) { return Floats{float(v[0]), float(v[1])}; }
     static unsigned bits(Mask m) { return unsigned(m[0] & 1) | unsigned(m[1] & 2); }
@@ -110,7 +109,6 @@ template<> struct Lanes<4> : detail::AnyLanes<4>
 {
     static Longs widened(Ints v) { return Longs(_mm256_cvtepi32_epi64(__m128i(v))); }
     static Doubles widened(Floats v) { return _mm256_cvtps_pd(v); }
-    static Doubles asDoubles(Ints v) { return _mm256_cvtepi32_pd(__m128i(v)); }
     static Ints rounded(Doubles v) { return Ints(_mm256_cvtpd_epi32(v)); }
     static Floats narrowed(Doubles v) { return _mm256_cvtpd_ps(v); }
     static unsigned bits(Mask m) { return unsigned(_mm256_movemask_pd(__m256d(m))); }
@@ -154,7 +152,6 @@ template<> struct Lanes<8> : detail::AnyLanes<8>
     static Doubles choose(Mask mask, Doubles a, Doubles b) { return _mm512_mask_mov_pd(b, mask, a); }
     static Longs widened(Ints v) { return Longs(_mm512_cvtepi32_epi64(__m256i(v))); }
     static Doubles widened(Floats v) { return _mm512_cvtps_pd(v); }
-    static Doubles asDoubles(Ints v) { return _mm512_cvtepi32_pd(__m256i(v)); }
     static Ints rounded(Doubles v) { return Ints(_mm512_cvtpd_epi32(v)); }
     static Floats narrowed(Doubles v) { return _mm512_cvtpd_ps(v); }
     static unsigned bits(Mask m) { return m; }
@@ -204,6 +201,29 @@ template<class L, class At> void storeColumns(const At& at, TwoColumns<L> column
     L::storePairs([&](int k) { return at(2 * k + 1); }, L::oddOf(columns.first, columns.second));
 }
 
+/// Vectors of 4, 8 or 16 floats.
+template<int lanes> struct FloatLanes
+{
+    typedef float Floats __attribute__((vector_size(4 * lanes)));
+    typedef int Ints __attribute__((vector_size(4 * lanes)));
+    static constexpr int count = lanes;
+    static void store(auto* to, Floats v) { std::memcpy(static_cast<void*>(to), &v, sizeof v); }
+    static Floats asFloats(auto v) { return __builtin_convertvector(v, Floats); }
+    /// One bit a lane of a comparison, the first the lowest.
+    static unsigned bits(auto mask)
+    {
+#if defined(__AVX512DQ__)
+        if constexpr (lanes == 16) return _mm512_movepi32_mask(__m512i(mask));
+#endif
+#if defined(__AVX2__)
+        if constexpr (lanes == 8) return unsigned(_mm256_movemask_ps(__m256(mask)));
+#endif
+        unsigned all = 0;
+        for (int k = 0; k < lanes; ++k) all |= unsigned(mask[k] & 1) << k;
+        return all;
+    }
+};
+
 /// Four columns next to one another of as many rows of floats as there are lanes, at(k) the address of row k in the first of them.
 template<class L> struct FourColumns
 {
@@ -220,11 +240,22 @@ inline FourFloats loadFour(const float* from)
     return v;
 }
 
-/// The rows of four floats at(k), and at(k + 4) behind it where a vector holds both.
+/// The rows of four floats at(k), and at(k + 4) ... behind it where a vector holds more than one.
 template<class L, class At> typename L::Floats rowsOf(const At& at, int k)
 {
-    if constexpr (L::count == 8) return __builtin_shufflevector(loadFour(at(k)), loadFour(at(k + 4)), 0, 1, 2, 3, 4, 5, 6, 7);
-    else return loadFour(at(k));
+#if defined(__AVX512F__)
+    if constexpr (L::count == 16)
+    {
+        auto rows = _mm512_castps128_ps512(_mm_loadu_ps(at(k)));
+        rows = _mm512_insertf32x4(rows, _mm_loadu_ps(at(k + 4)), 1);
+        rows = _mm512_insertf32x4(rows, _mm_loadu_ps(at(k + 8)), 2);
+        return _mm512_insertf32x4(rows, _mm_loadu_ps(at(k + 12)), 3);
+    }
+#endif
+#if defined(__AVX2__)
+    if constexpr (L::count == 8) return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(at(k))), _mm_loadu_ps(at(k + 4)), 1);
+#endif
+    if constexpr (L::count == 4) return loadFour(at(k));
 }
 template<class L, class At> void storeRowsOf(const At& at, int k, typename L::Floats rows)
 {

@@ -111,95 +111,146 @@ template<class L = WidestLanes> inline void packRecords(const double* const* fro
 /// cache lines.
 template<int dim> constexpr int singleRecordSize(int columnCount) { return int(std::bit_ceil(unsigned(dim + columnCount))); }
 
-/// What the numbers of records in single precision are multiples of. Places: 2^-30 of the domain's extent from its centre on; they are as fine everywhere, differ exactly, and those of
-/// periodic images by 2^30. Columns: powers of two near their values, since floats end at 1e-38, and V^2 of particles of 1 um is 1e-36 m^6.
-template<int dim> struct SingleUnits
+/// Places in records of single precision are multiples of 2^-30 of the domain's extent from its centre on; they are as fine everywhere, differ exactly, and those of
+/// periodic images by 2^30. The null particle, beyond all integers, is the least of them, and farther than the extent from what lies in the domain.
+template<int dim> struct PlaceUnits
 {
-    static constexpr int most = 64;
-    double centre[dim]; ///< of the domain [m]
-    double unit[most], perUnit[most];
+    double centre[dim], unit[dim]; ///< [m]
 
-    SingleUnits(Vector<dim> low, Vector<dim> high)
+    PlaceUnits(Vector<dim> low, Vector<dim> high)
     {
-        std::fill_n(unit, most, 1);
-        std::fill_n(perUnit, most, 1);
         store(0.5 * (low + high), [&](int c, double q) { centre[c] = q; });
-        store(high - low, [&](int c, double q) { set(c, std::ldexp(q, -30)); });
-    }
-    /// Number c of a record has values of about this size.
-    void setScale(int c, double size)
-    {
-        int exponent;
-        std::frexp(size, &exponent);
-        set(c, size > 0 && std::isfinite(size) ? std::ldexp(1, std::clamp(exponent, -1000, 1000)) : 1);
-    }
-
-private:
-    void set(int c, double q)
-    {
-        unit[c] = q;
-        perUnit[c] = 1 / q;
+        store(high - low, [&](int c, double q) { unit[c] = std::ldexp(q, -30); });
     }
 };
 
-/// x_i - x_j and all columns of the listed particles (a multiple of 8 indices) from records of single precision. The null particle at the end of a list has any finite
-/// x_i - x_j.
-template<int dim, class L = WidestLanes, class Block>
-inline void gatherSingleRecords(const float* records, int columnCount, const SingleUnits<dim>& units, int particle, const int* list, int n,
-                                Block& to)
+namespace detail
 {
-    using Ints = typename L::Ints;
-    const int size = singleRecordSize<dim>(columnCount);
-    double place[dim];
-    for (int c = 0; c < dim; ++c) place[c] = std::bit_cast<int>(records[long(particle) * size + c]);
-    const double* const unit = units.unit;
-    for (int t = 0; t < n; t += L::count)
+/// x_i - x_j in single precision, of records of which the first four columns are given.
+template<int dim, class Wide> struct SingleDifferences
+{
+    typename Wide::Floats x[dim];
+
+    SingleDifferences(const PlaceUnits<dim>& units, const float* record, const FourColumns<Wide>& first)
     {
-        const float* record[L::count];
-        for (int k = 0; k < L::count; ++k) record[k] = records + long(list[t + k]) * size;
-        const auto first = loadFourColumns<L>([&](int k) { return record[k]; });
-        for (int c = 0; c < dim; ++c) L::store(&to.x[c][t], (place[c] - L::asDoubles(std::bit_cast<Ints>(first.column[c]))) * unit[c]);
-        for (int c = dim; c < 4; ++c) L::store(&to.field[c - dim][t], L::widened(first.column[c]) * unit[c]);
-        for (int c = 4; c < dim + columnCount; c += 4)
+        for (int c = 0; c < dim; ++c)
+            x[c] =
+                Wide::asFloats(std::bit_cast<int>(record[c]) - std::bit_cast<typename Wide::Ints>(first.column[c])) * float(units.unit[c]);
+    }
+};
+
+template<int dim, int groups, class L, class Block>
+[[gnu::flatten]] inline int gatherSingleRecordsOf(const float* records, const PlaceUnits<dim>& units, int particle, const int* list, int n,
+                                                  Block& to)
+{
+    using Wide = FloatLanes<2 * L::count>;
+    constexpr int size = std::bit_ceil(4u * groups);
+    const float* const own = records + long(particle) * size;
+    int t = 0;
+    const auto gather = [&](const auto& at)
+    {
+        const auto first = loadFourColumns<Wide>([&](int k) { return records + long(at(k)) * size; });
+        const SingleDifferences<dim, Wide> ij(units, own, first);
+        for (int c = 0; c < dim; ++c) Wide::store(&to.x[c][t], ij.x[c]);
+        for (int c = dim; c < 4; ++c) Wide::store(&to.field[c - dim][t], first.column[c]);
+        for (int c = 4; c < 4 * groups; c += 4)
         {
-            const auto next = loadFourColumns<L>([&](int k) { return record[k] + c; });
-            for (int k = 0; k < 4; ++k) L::store(&to.field[c - dim + k][t], L::widened(next.column[k]) * unit[c + k]);
+            const auto next = loadFourColumns<Wide>([&](int k) { return records + long(at(k)) * size + c; });
+            for (int k = 0; k < 4; ++k) Wide::store(&to.field[c - dim + k][t], next.column[k]);
         }
+    };
+    for (; t + Wide::count <= n; t += Wide::count) gather([&](int k) { return list[t + k]; });
+    if (t < n)
+    {
+        gather([&](int k) { return list[std::min(t + k, n - 1)]; });
+        t += Wide::count;
+    }
+    return t;
+}
+}
+
+/// Selects, of the listed particles (a multiple of 8 indices), those within the radius, as `selectRecords`.
+template<int dim, class L = WidestLanes>
+[[gnu::flatten]] inline int selectSingleRecords(const float* records, int columnCount, const PlaceUnits<dim>& units, int particle,
+                                                const int* list, int n, double radius, int* kept)
+{
+    using Wide = FloatLanes<2 * L::count>;
+    const long size = singleRecordSize<dim>(columnCount);
+    const float* const own = records + particle * size;
+    const auto limit = float(sqr(radius)) - typename Wide::Floats{};
+    long found = 0;
+    for (int t = 0; t < n; t += Wide::count)
+    {
+        const detail::SingleDifferences<dim, Wide> ij(units, own,
+                                                      loadFourColumns<Wide>([&](int k)
+                                                                            { return records + list[std::min(t + k, n - 1)] * size; }));
+        auto square = ij.x[0] * ij.x[0];
+        for (int c = 1; c < dim; ++c) square += ij.x[c] * ij.x[c];
+        const unsigned within = Wide::bits(square < limit);
+        for (int half = 0; half < 2 && t + half * L::count < n; ++half)
+        {
+            const unsigned bits = within >> half * L::count & ((1u << L::count) - 1);
+            L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t + half * L::count), bits));
+            found += std::popcount(bits);
+        }
+    }
+    return int(found);
+}
+
+/// x_i - x_j and all columns of the n listed particles (a multiple of 8 indices) from records of single precision, as singles. Returns the number of entries, a multiple of the lanes:
+/// those behind the listed ones repeat the last. The null particle at the end of a list has any finite x_i - x_j.
+template<int dim, class L = WidestLanes, class Block>
+inline int gatherSingleRecords(const float* records, int columnCount, const PlaceUnits<dim>& units, int particle, const int* list, int n,
+                               Block& to)
+{
+    const auto inGroups = [&](auto groups)
+    { return detail::gatherSingleRecordsOf<dim, groups(), L>(records, units, particle, list, n, to); };
+    switch ((dim + columnCount + 3) / 4)
+    {
+    case 1:
+        return inGroups(std::integral_constant<int, 1>{});
+    case 2:
+        return inGroups(std::integral_constant<int, 2>{});
+    case 3:
+        return inGroups(std::integral_constant<int, 3>{});
+    case 4:
+        return inGroups(std::integral_constant<int, 4>{});
+    case 5:
+    case 6:
+        return inGroups(std::integral_constant<int, 6>{});
+    case 7:
+    case 8:
+        return inGroups(std::integral_constant<int, 8>{});
+    default:
+        return inGroups(std::integral_constant<int, 11>{});
     }
 }
 
 /// Packs `count` records of so many columns, `to[i]` from element i of each coordinate and column, of as many arrays as a record has numbers.
 template<int dim, class L = WidestLanes>
-inline void packSingleRecords(const double* const* from, int columnCount, const SingleUnits<dim>& units, std::size_t count, float* to)
+inline void packSingleRecords(const double* const* from, int columnCount, const PlaceUnits<dim>& units, std::size_t count, float* to)
 {
     const int size = singleRecordSize<dim>(columnCount);
-    const auto scaled = [&](int c, auto q) { return c < dim ? (q - units.centre[c]) * units.perUnit[c] : q * units.perUnit[c]; };
+    double perUnit[dim];
+    for (int c = 0; c < dim; ++c) perUnit[c] = 1 / units.unit[c];
+    const auto asPlace = [&](int c, auto x) { return (x - units.centre[c]) * perUnit[c]; };
     std::size_t i = 0;
     for (; i + L::count <= count; i += L::count)
         for (int c = 0; c < size; c += 4)
         {
             const auto column = [&](int k)
             {
-                const auto q = scaled(c + k, L::template load<typename L::Doubles>(from[c + k] + i));
-                return c + k < dim ? std::bit_cast<typename L::Floats>(L::rounded(q)) : L::narrowed(q);
+                const auto q = L::template load<typename L::Doubles>(from[c + k] + i);
+                return c + k < dim ? std::bit_cast<typename L::Floats>(L::rounded(asPlace(c + k, q))) : L::narrowed(q);
             };
             storeFourColumns<L>([&](int k) { return to + (i + k) * size + c; }, {{column(0), column(1), column(2), column(3)}});
         }
     for (; i < count; ++i)
         for (int c = 0; c < size; ++c)
         {
-            const double q = scaled(c, from[c][i]);
-            to[i * size + c] = c < dim ? std::bit_cast<float>(detail::rounded(q)) : float(q);
+            const double q = from[c][i];
+            to[i * size + c] = c < dim ? std::bit_cast<float>(detail::rounded(asPlace(c, q))) : float(q);
         }
-}
-
-/// A number with the digits of single precision, and the range of double.
-inline double toSinglePrecision(double q)
-{
-    constexpr int lost = 53 - 24;
-    const auto bits = std::bit_cast<std::uint64_t>(q);
-    const auto half = (std::uint64_t(1) << (lost - 1)) - 1 + (bits >> lost & 1);
-    return std::bit_cast<double>((bits + half) >> lost << lost);
 }
 
 }

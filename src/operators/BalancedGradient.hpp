@@ -21,10 +21,10 @@ namespace sph
 {
 
 // clang-format off
-struct GradientMap       { static constexpr FieldInfo info{"gradientMap", "1", Image::mirrored};           template<int dim> struct At { Tensor<dim> A; }; };
-struct GradientOffset    { static constexpr FieldInfo info{"gradientOffset", "m", Image::mirrored};        template<int dim> struct At { Vector<dim> b; }; };
-struct GradientImbalance { static constexpr FieldInfo info{"gradientImbalance", "1/m", Image::mirrored};   template<int dim> struct At { Vector<dim> r; }; };
-struct BalanceStep       { static constexpr FieldInfo info{"balanceStep", "m^2"};                          template<int dim> struct At { double q; }; };
+struct GradientMap       { static constexpr FieldInfo info{"gradientMap", "1", Image::mirrored};           template<int dim, class Real = double> struct At { Tensor<dim, Real> A; }; };
+struct GradientOffset    { static constexpr FieldInfo info{"gradientOffset", "m", Image::mirrored};        template<int dim, class Real = double> struct At { Vector<dim, Real> b; }; };
+struct GradientImbalance { static constexpr FieldInfo info{"gradientImbalance", "1/m", Image::mirrored};   template<int dim, class Real = double> struct At { Vector<dim, Real> r; }; };
+struct BalanceStep       { static constexpr FieldInfo info{"balanceStep", "m^2"};                          template<int dim, class Real = double> struct At { Real q; }; };
 // clang-format on
 
 /// g_ij/f_ij, and g_ji/f_ij; x = x_ij.

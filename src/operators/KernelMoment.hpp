@@ -21,6 +21,7 @@ struct SecondMoment
 {
     static constexpr auto name = "secondMoment";
     using Provides = KernelMoment;
+    static constexpr bool bearsSingle = true;
     static constexpr bool ofRawGradient = true;
 
     auto operator()(const auto& ij, const auto&, const auto&) const { return -1.0 / dimensions(ij.x) * ij.dWdrOverR * ij.rr; }

@@ -14,8 +14,8 @@ namespace sph
 {
 
 // clang-format off
-struct FitScale { static constexpr FieldInfo info{"fitScale", "m^2"}; template<int dim> struct At { double q; }; };
-struct FitSlope { static constexpr FieldInfo info{"fitSlope", "m"};   template<int dim> struct At { Vector<dim> z; }; };
+struct FitScale { static constexpr FieldInfo info{"fitScale", "m^2"}; template<int dim, class Real = double> struct At { Real q; }; };
+struct FitSlope { static constexpr FieldInfo info{"fitSlope", "m"};   template<int dim, class Real = double> struct At { Vector<dim, Real> z; }; };
 // clang-format on
 
 /// w_ij

@@ -16,7 +16,7 @@ namespace sph
 {
 
 // clang-format off
-struct VelocityGradient { static constexpr FieldInfo info{"velocityGradient", "1/s"}; template<int dim> struct At { Tensor<dim> L; }; };
+struct VelocityGradient { static constexpr FieldInfo info{"velocityGradient", "1/s"}; template<int dim, class Real = double> struct At { Tensor<dim, Real> L; }; };
 // clang-format on
 
 /// lambda_c, and the blending w.

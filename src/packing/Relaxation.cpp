@@ -46,9 +46,9 @@ template<int dim> std::vector<Group> groupsOf(const Kernel<dim>& kernel, bool mo
 struct Source
 {
     static constexpr FieldInfo info{"source", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double number;
+        Real number;
     };
 };
 

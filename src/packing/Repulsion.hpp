@@ -12,8 +12,8 @@ namespace sph
 {
 
 // clang-format off
-struct PackingPressure { static constexpr FieldInfo info{"packingPressure", "1"};                     template<int dim> struct At { double P; }; };
-struct PackingGradient { static constexpr FieldInfo info{"packingGradient", "1/m", Image::mirrored};  template<int dim> struct At { Vector<dim> f; }; };
+struct PackingPressure { static constexpr FieldInfo info{"packingPressure", "1"};                     template<int dim, class Real = double> struct At { Real P; }; };
+struct PackingGradient { static constexpr FieldInfo info{"packingGradient", "1/m", Image::mirrored};  template<int dim, class Real = double> struct At { Vector<dim, Real> f; }; };
 // clang-format on
 
 struct Repulsion

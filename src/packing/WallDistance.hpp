@@ -7,7 +7,7 @@ namespace sph
 {
 
 // clang-format off
-struct DistanceToWall { static constexpr FieldInfo info{"wallDistance", "m"};  template<int dim> struct At { double d_w; }; };
+struct DistanceToWall { static constexpr FieldInfo info{"wallDistance", "m"};  template<int dim, class Real = double> struct At { Real d_w; }; };
 // clang-format on
 
 struct WallDistance

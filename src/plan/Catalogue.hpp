@@ -21,7 +21,7 @@ template<int dim> struct CatalogueEntry
 {
     std::string name;
     Over over;
-    bool provides, advances, readsKernel, ofRawGradient;
+    bool provides, advances, readsKernel, ofRawGradient, bearsSingle;
     std::vector<FieldUse<dim>> results, reads, readsOwn;
     std::function<std::unique_ptr<Operation<dim>>(const Coefficients&, const Binding<dim>&)> bind;
     Names names; ///< of fields that are not called as their tags
@@ -40,6 +40,7 @@ template<int dim, class T, class Make> CatalogueEntry<dim> termEntry(std::string
             advances<T>,
             readsKernel<T>,
             ofRawGradient<T>,
+            bearsSingle<T>,
             uses<dim>(ResultsOf<T>{}, names),
             uses<dim>(ReadsOf<T>{}, names),
             uses<dim>(ReadsOwnOf<T>{}, names),

@@ -40,7 +40,7 @@ struct Group
     /// Fields by which the caller chooses BoundaryShare, by which each neighbour then counts in place of its volume factor; none: by that factor.
     std::set<std::string> sharesBy = {};
     bool repeats = false; ///< runs several times between two evaluations, as the iterations of a solve do
-    /// Its pair passes see values of single precision, sums stay double; where neighbours and (dW/dr)/r are kept for them.
+    /// Those of its pair passes whose terms can are computed in single precision; sums stay double.
     bool bearsSingle = false;
 };
 
@@ -104,7 +104,7 @@ private:
         std::vector<FieldUse<dim>> columns, refresh; ///< refresh: those written since images last saw them
         std::vector<const double*> sources;
         std::vector<std::unique_ptr<Operation<dim>>> operations;
-        typename Stencil<dim>::Factors factors;       ///< columns of the factors, behind those of the terms
+        PairFactors factors;                          ///< columns of the factors, behind those of the terms
         bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
         bool within = false, keepsWithin = false;     ///< reads the neighbours within the support that a pass before has kept; keeps them
         bool slopes = false, keepsSlopes = false;     ///< likewise (dW/dr)/r of their pairs, with all factors
@@ -142,10 +142,8 @@ private:
     void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                        std::optional<std::span<const int>> only = {});
     template<class Real> Real* packed() { return reinterpret_cast<Real*>(records_.data()); }
-    /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision where units are given.
-    void pack(const Pass&, FieldStore<dim>&, const std::optional<SingleUnits<dim>>&, std::size_t begin, std::size_t end);
-    /// Units of a pass in single precision.
-    SingleUnits<dim> unitsOf(const Pass&, const Images<dim>&) const;
+    /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision.
+    void pack(const Pass&, FieldStore<dim>&, const PlaceUnits<dim>&, std::size_t begin, std::size_t end);
     /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.
     std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;
 };

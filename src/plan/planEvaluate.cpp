@@ -113,11 +113,10 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
 }
 
 template<int dim>
-void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const std::optional<SingleUnits<dim>>& units, std::size_t begin,
-                     std::size_t end)
+void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const PlaceUnits<dim>& units, std::size_t begin, std::size_t end)
 {
     const std::size_t n = store.size();
-    const int columns = int(pass.sources.size()), single = units ? singleRecordSize<dim>(columns) : 0;
+    const int columns = int(pass.sources.size()), single = pass.single ? singleRecordSize<dim>(columns) : 0;
     const auto bytes =
         n * (single ? std::size_t(single) * sizeof(float) : std::size_t(Stencil<dim>::recordsWidth(columns)) * sizeof(double));
     if (records_.size() < bytes)
@@ -142,14 +141,14 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const std::option
         };
         const auto at = [&](const double* const* of, int width, std::size_t b)
         {
-            std::array<const double*, SingleUnits<dim>::most> part;
+            std::array<const double*, std::bit_ceil(unsigned(dim + Stencil<dim>::maxColumns))> part;
             for (int c = 0; c < width; ++c) part[std::size_t(c)] = of[c] + b;
             return part;
         };
         if (single)
             inBlocks(
                 [&](std::size_t b, std::size_t count) {
-                    packSingleRecords(at(from.data(), single, b).data(), columns, *units, count, packed<float>() + b * std::size_t(single));
+                    packSingleRecords(at(from.data(), single, b).data(), columns, units, count, packed<float>() + b * std::size_t(single));
                 });
         double* to = packed<double>();
         const double* const* of = from.data();
@@ -162,24 +161,6 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const std::option
             of += width;
         }
     }
-}
-
-template<int dim> SingleUnits<dim> Plan<dim>::unitsOf(const Pass& pass, const Images<dim>& images) const
-{
-    auto units = images.singleUnits();
-    const std::size_t n = images.owned(), sampled = 1024;
-    for (std::size_t c = 0; c < pass.sources.size(); ++c)
-    {
-        const auto largestOfEach = [&](std::size_t stride)
-        {
-            double largest = 0;
-            for (std::size_t i = 0; i < n; i += stride) largest = std::max(largest, std::fabs(pass.sources[c][i]));
-            return largest;
-        };
-        const double ofSample = largestOfEach(std::max<std::size_t>(1, n / sampled));
-        units.setScale(dim + int(c), ofSample > 0 ? ofSample : largestOfEach(1));
-    }
-    return units;
 }
 
 template<int dim>
@@ -196,15 +177,14 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     std::vector<InLayersOf> inLayers; // of the columns
     for (const auto& f : pass.columns) inLayers.push_back({images.rules().any(f.info.ofRule), images.rules().interpolates(f.info)});
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
-    const auto units = pass.single ? std::optional(unitsOf(pass, images)) : std::nullopt;
+    const auto units = images.placeUnits();
 
     // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     constexpr std::size_t ahead = 2;
     const auto over = [&](std::size_t n, const int* which, const auto& k)
     {
-        const auto gather = [&](std::size_t begin, std::size_t end)
+        const auto gatherInto = [&](auto& stencil, std::size_t begin, std::size_t end, const auto& fill)
         {
-            static thread_local Stencil<dim> stencil;
             static thread_local typename NeighbourLists<dim>::Room room;
             for (std::size_t place = begin; place < end; ++place)
             {
@@ -212,15 +192,29 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
                 const KnownNeighbours known{pass.within ? lists.within(i) : lists.of(i, room), pass.within,
                                             pass.slopes ? lists.slopes(i) : KeptSlopes{}};
                 if (pass.slopes && place + ahead < end) lists.fetchKept(which ? std::size_t(which[place + ahead]) : place + ahead);
-                if (pass.single) stencil.fillSingle(int(i), known, packed<float>(), int(pass.sources.size()), *units);
-                else stencil.fill(int(i), known, x, packed<double>(), store.size(), pass.sources, k, pass.readsKernel, null);
+                fill(int(i), known);
                 if (layers) layers->continueInto(stencil, inLayers, pass.columns, pass.sources, pass.factors.scale);
                 stencil.applyFactors(pass.factors, pass.sources, pass.readsKernel, pass.slopes);
-                if (pass.keepsWithin) lists.keepWithin(i, stencil.j, stencil.n);
-                if (pass.keepsSlopes) lists.slopes(i).keep(stencil.dWdrOverR, stencil.n);
+                if (pass.keepsWithin) lists.keepWithin(i, stencil.j, stencil.listed);
+                if (pass.keepsSlopes) lists.slopes(i).keep(stencil.dWdrOverR, stencil.listed);
                 for (const auto& o : pass.operations) o->gather(stencil);
             }
             if (halo && omp_get_thread_num() == 0) halo->progress();
+        };
+        const auto gather = [&](std::size_t begin, std::size_t end)
+        {
+            if (pass.single)
+            {
+                static thread_local Stencil<dim, Single> stencil;
+                gatherInto(stencil, begin, end,
+                           [&](int i, const KnownNeighbours& known)
+                           { stencil.fill(i, known, packed<float>(), int(pass.sources.size()), units, k, pass.readsKernel, null); });
+                return;
+            }
+            static thread_local Stencil<dim> stencil;
+            gatherInto(stencil, begin, end,
+                       [&](int i, const KnownNeighbours& known)
+                       { stencil.fill(i, known, x, packed<double>(), store.size(), pass.sources, k, pass.readsKernel, null); });
         };
         Stretches stretches(n, 256);
 #pragma omp parallel

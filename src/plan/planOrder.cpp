@@ -66,16 +66,17 @@ template<int dim> void Plan<dim>::keepPairs()
             alike.push_back(&pass);
         }
     for (auto* pass : passes) (pass == passes[0] ? pass->keepsWithin : pass->within) = passes.size() > 1;
+    for (auto& g : groups_)
+        for (auto& pass : g.passes)
+        {
+            pass.single = g.group.bearsSingle && g.group.sharesBy.empty() &&
+                          std::ranges::all_of(pass.entries, [](const Entry* e) { return e->bearsSingle; });
+            keepsSingleSlopes_ = keepsSingleSlopes_ || pass.single;
+        }
     const bool normalised = readers[true] >= readers[false];
     if (readers[normalised] < 2) return;
     auto& alike = kind[normalised];
     for (auto* pass : alike) (pass == alike[0] ? pass->keepsSlopes : pass->slopes) = true;
-    for (auto& g : groups_)
-        for (auto& pass : g.passes)
-        {
-            pass.single = g.group.bearsSingle && pass.slopes && pass.within && !pass.readsKernel;
-            keepsSingleSlopes_ = keepsSingleSlopes_ || pass.single;
-        }
 }
 
 /// The changed fields, and all that the groups so far have made of them.

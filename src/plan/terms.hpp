@@ -8,6 +8,9 @@
 ///   wall law    operator()(soFar, i, foot)  atWalls; over the places of walls within reach of i, nearest place of each patch; ReadsOwn
 ///   Provides one derived field, or several as Fields<...> (their only writer), or Adds to a rate that several terms share
 ///
+/// A pair term that `bearsSingle` has its operator, written for any Real, run in single precision too, where a pass asks for it; what it returns is summed, and finished, in
+/// double.
+///
 /// The type is erased once per particle and term (one virtual call per 80 pairs): compiled variants are the sum of the options.
 #pragma once
 #include "images/Images.hpp"
@@ -100,9 +103,10 @@ template<class T> constexpr bool readsKernel = requires { T::readsKernel; };
 template<class T> constexpr bool atWalls = requires { T::atWalls; };
 /// True for what must see gradW as the kernel has it: the sums that its normalisation is made of.
 template<class T> constexpr bool ofRawGradient = requires { T::ofRawGradient; };
+template<class T> constexpr bool bearsSingle = requires { T::bearsSingle; };
 
-template<class T, int dim> using OwnValues = Values<typename detail::Join<ReadsOf<T>, ReadsOwnOf<T>>::type, dim>;
-template<class T, int dim> using NeighbourValues = Values<ReadsOf<T>, dim>;
+template<class T, int dim, class Real = double> using OwnValues = Values<typename detail::Join<ReadsOf<T>, ReadsOwnOf<T>>::type, dim, Real>;
+template<class T, int dim, class Real = double> using NeighbourValues = Values<ReadsOf<T>, dim, Real>;
 /// Value of one result; Values<...> of several.
 template<class T, int dim> using ResultValue = typename detail::ValueOf<ResultsOf<T>, dim>::type;
 
@@ -168,14 +172,14 @@ concept WallLaw = atWalls<T> && requires(const T t, SoFarOf<T, dim> q, OwnValues
 };
 
 /// The declared values, from component(0), component(1) ... in the order of the list.
-template<int dim, class... F> Values<Fields<F...>, dim> read(Values<Fields<F...>, dim>, const auto& component)
+template<int dim, class Real, class... F> Values<Fields<F...>, dim, Real> read(Values<Fields<F...>, dim, Real>, const auto& component)
 {
-    Values<Fields<F...>, dim> v;
+    Values<Fields<F...>, dim, Real> v;
     [[maybe_unused]] int first = 0;
     (
         [&]
         {
-            auto& [q] = static_cast<At<F, dim>&>(v);
+            auto& [q] = static_cast<At<F, dim, Real>&>(v);
             fetch(q, [&](int c) { return component(first + c); });
             first += fieldComponents<F, dim>;
         }(),
@@ -217,7 +221,8 @@ template<int dim> struct Binding
 template<int dim> struct Operation
 {
     virtual ~Operation() = default;
-    virtual void gather(const Stencil<dim>&) const {}                                             ///< pair term: the particle stencil.i
+    virtual void gather(const Stencil<dim>&) const {}         ///< pair term: the particle stencil.i
+    virtual void gather(const Stencil<dim, Single>&) const {} ///< likewise, of one that bears single precision
     virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {} ///< local law: particles begin .. end - 1
     virtual void atWalls(const NearWalls&, std::size_t /*begin*/, std::size_t /*end*/) const {}   ///< wall law: likewise
 };
@@ -225,9 +230,8 @@ template<int dim> struct Operation
 template<class T, int dim> class Bound final : public Operation<dim>
 {
     using Own = OwnValues<T, dim>;
-    using Neighbour = NeighbourValues<T, dim>;
     using Result = ResultValue<T, dim>;
-    static constexpr int nOwn = valueComponents<Own>, nNeighbour = valueComponents<Neighbour>;
+    static constexpr int nOwn = valueComponents<Own>, nNeighbour = valueComponents<NeighbourValues<T, dim>>;
     static constexpr int nResult = []<class... F>(Fields<F...>) { return (fieldComponents<F, dim> + ...); }(ResultsOf<T>{});
 
     T term_;
@@ -279,30 +283,36 @@ public:
 
     [[gnu::flatten]] void gather(const Stencil<dim>& stencil) const override
     {
-        if constexpr (PairTerm<T, dim>)
-        {
-            const T term = term_;
-            std::array<const double*, nNeighbour> column;
-            for (int k = 0; k < nNeighbour; ++k) column[k] = stencil.field[column_[k]];
-            const auto i = read<dim>(Own{}, [&](int k) { return stencil.valueOf(own_[k][stencil.i]); });
-            const auto j = [&](int t) { return read<dim>(Neighbour{}, [&](int k) { return column[k][t]; }); };
-            Result total{};
-            if constexpr (Swept<T, dim>)
-                for (int s = 0; s < term.sweeps(); ++s)
-                {
-                    const Sweep sweep{s};
-                    using Sum = decltype(term(stencil.pair(0), i, j(0), sweep));
-                    total += term.finish(i, sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
-                }
-            else
+        if constexpr (PairTerm<T, dim>) gatherIn<double>(stencil);
+    }
+    [[gnu::flatten]] void gather([[maybe_unused]] const Stencil<dim, Single>& stencil) const override
+    {
+        if constexpr (PairTerm<T, dim> && bearsSingle<T>) gatherIn<Single>(stencil);
+    }
+    template<class Real> void gatherIn(const Stencil<dim, Real>& stencil) const
+    {
+        const T term = term_;
+        std::array<const Real*, nNeighbour> column;
+        for (int k = 0; k < nNeighbour; ++k) column[k] = stencil.field[column_[k]];
+        const auto own = read<dim>(Own{}, [&](int k) { return own_[k][stencil.i]; });
+        const auto i = read<dim>(OwnValues<T, dim, Real>{}, [&](int k) { return Real(own_[k][stencil.i]); });
+        const auto j = [&](int t) { return read<dim>(NeighbourValues<T, dim, Real>{}, [&](int k) { return column[k][t]; }); };
+        Result total{};
+        if constexpr (Swept<T, dim>)
+            for (int s = 0; s < term.sweeps(); ++s)
             {
-                using Sum = decltype(term(stencil.pair(0), i, j(0)));
-                const Sum all = sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t)); });
-                if constexpr (requires { term.finish(i, all); }) total = term.finish(i, all);
-                else total = all;
+                const Sweep sweep{s};
+                using Sum = decltype(term(stencil.pair(0), i, j(0), sweep));
+                total += term.finish(own, sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t), sweep); }), sweep);
             }
-            eachComponent(total, [&](int c, double q) { result_[c][stencil.i] = adds_ ? result_[c][stencil.i] + q : q; });
+        else
+        {
+            using Sum = decltype(term(stencil.pair(0), i, j(0)));
+            const auto all = sum<Sum>(stencil.n, [&](int t) { return term(stencil.pair(t), i, j(t)); });
+            if constexpr (requires { term.finish(own, all); }) total = term.finish(own, all);
+            else total = all;
         }
+        eachComponent(total, [&](int c, double q) { result_[c][stencil.i] = adds_ ? result_[c][stencil.i] + q : q; });
     }
 
     [[gnu::flatten]] void evaluate(std::size_t begin, std::size_t end, [[maybe_unused]] double deltaT) const override

@@ -58,6 +58,8 @@ struct Settings
     Integration integration;
     std::string shaking; ///< acceleration added to gravity, an expression of `$t` (Shaking.hpp); empty where there is none
 
+    bool mixedPrecision = false; ///< terms of pairs that can are computed in single precision
+
     bool hasGravity() const { return mag(coefficients.g) > 0 || !shaking.empty(); }
 
     State state;                                              ///< all fields that evolve

@@ -12,6 +12,7 @@ inline std::vector<Group> groupsOf(const Settings& settings)
     if (!settings.slowTerms.empty())
         groups.push_back({onceAStep, settings.slowTerms, {}, {{Acceleration::info.name, SlowAcceleration::info.name}}});
     groups.insert(groups.end(), settings.groups.begin(), settings.groups.end());
+    for (auto& group : groups) group.bearsSingle = group.bearsSingle || settings.mixedPrecision;
     return groups;
 }
 

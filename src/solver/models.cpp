@@ -15,6 +15,7 @@
 #include "models/viscosity/viscosity.hpp"
 #include "models/walls/walls.hpp"
 #include "operators/operatorTerms.hpp"
+#include "solver/precision.hpp"
 
 namespace sph
 {
@@ -24,7 +25,7 @@ const std::vector<const Model*>& models()
     static const std::vector<const Model*> all{&openingsModel(),    &gasModel(),      &suspensionModel(), &scalarTransportModel(),
                                                &densityModel(),     &pressureModel(), &viscosityModel(),  &tensionModel(),
                                                &forcesModel(),      &shiftingModel(), &soilModel(),       &wallsModel(),
-                                               &integrationModel(), &labelsModel(),   &thermalModel()};
+                                               &integrationModel(), &labelsModel(),   &thermalModel(),    &precisionModel()};
     return all;
 }
 

@@ -70,9 +70,9 @@ inline const Terms summed{"numberDensity", "summedDensity", "taitOfPhase"}, inte
 struct SourceNumber
 {
     static constexpr FieldInfo info{"source", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double number;
+        Real number;
     };
 };
 

@@ -9,7 +9,7 @@ namespace sph
 {
 
 struct NumberedMesh;
-template<int dim> struct Vector;
+template<int dim, class Real> struct Vector;
 
 /// Lines of a text, which end with \n, \r\n or \r, counted from 1.
 class TextLines

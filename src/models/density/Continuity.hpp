@@ -15,6 +15,7 @@ struct Continuity
     using Adds = DensityRate;
     using Reads = Fields<Volume, Velocity>;
     using ReadsOwn = Fields<Density>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return i.rho * j.V * dot(i.v - j.v, ij.gradW); }
 };
@@ -30,6 +31,7 @@ struct MassContinuity
     static constexpr auto name = "massContinuity";
     using Adds = DensityRate;
     using Reads = Fields<Mass, Velocity>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.m * dot(i.v - j.v, ij.gradW); }
 };

@@ -18,6 +18,7 @@ struct DensityDiffusion
     static constexpr auto name = "densityDiffusion";
     using Adds = DensityRate;
     using Reads = Fields<Density, Volume>;
+    static constexpr bool bearsSingle = true;
     double coefficient, small;
 
     explicit DensityDiffusion(const Coefficients& c)

@@ -16,6 +16,7 @@ struct NumberDensity
 {
     static constexpr auto name = "numberDensity";
     using Provides = Volume;
+    static constexpr bool bearsSingle = true;
     static constexpr bool readsKernel = true; // W itself; all other terms use its gradient
     static constexpr bool ofRawGradient = true;
     double a;

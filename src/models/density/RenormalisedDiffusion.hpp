@@ -51,8 +51,8 @@ struct RenormalisedDiffusion : DensityDiffusion
     using DensityDiffusion::DensityDiffusion;
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        const double w = j.wall > 0 ? 0.0 : j.V;
-        const double difference = i.rho - j.rho - 0.5 * dot(i.gradRho + j.gradRho, ij.x);
+        const auto w = j.wall > 0 ? decltype(j.V){} : j.V;
+        const auto difference = i.rho - j.rho - 0.5 * dot(i.gradRho + j.gradRho, ij.x);
         return coefficient * difference * dot(ij.x, ij.gradW) / (ij.rr + small) * w;
     }
 };

@@ -28,9 +28,9 @@ struct Ambient
     static constexpr bool isMoving(double ambient) { return ambient > 0 && ambient < stands; }
     /// s
     static double share(double ambient) { return std::fmax(0.0, std::fmin(1.0, ambient - 1)); }
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double ambient;
+        Real ambient;
     };
 };
 

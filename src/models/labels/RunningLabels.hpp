@@ -9,7 +9,7 @@ namespace sph
 struct ParticleNumber
 {
     static constexpr FieldInfo info{origId, "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
         Label id;
     };
@@ -17,7 +17,7 @@ struct ParticleNumber
 struct RankOfOrigin
 {
     static constexpr FieldInfo info{origProcId, "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
         Label rank;
     };

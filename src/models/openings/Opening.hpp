@@ -45,9 +45,9 @@ struct EntryTime
 {
     static constexpr FieldInfo info{"enteredAt", "s"};
     static constexpr double notMarked = -1;
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double enteredAt;
+        Real enteredAt;
     };
 };
 

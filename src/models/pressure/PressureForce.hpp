@@ -17,6 +17,7 @@ struct HuAdamsPressure
     using Adds = Acceleration;
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * (i.p * sqr(i.V) + j.p * sqr(j.V)) * ij.gradW; }
 };
@@ -34,6 +35,7 @@ struct DensityWeightedPressure
     using Adds = Acceleration;
     using Reads = Fields<Pressure, Volume, Density>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
@@ -50,6 +52,7 @@ struct MonaghanPressure
     using Adds = Acceleration;
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (i.p + j.p) * ij.gradW; }
 };
@@ -65,6 +68,7 @@ struct MassWeightedPressure
     static constexpr auto name = "massWeightedPressure";
     using Adds = Acceleration;
     using Reads = Fields<Pressure, Density, Mass>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -j.m * (i.p / sqr(i.rho) + j.p / sqr(j.rho)) * ij.gradW; }
 };
@@ -82,6 +86,7 @@ struct DifferencePressure
     using Adds = Acceleration;
     using Reads = Fields<Pressure, Volume>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return -1 / i.m * i.V * j.V * (j.p - i.p) * ij.gradW; }
 };

@@ -69,12 +69,13 @@ struct CompressionOfChange
     using Provides = CompressionChange;
     using Reads = Fields<Displacement>;
     using ReadsOwn = Fields<VolumeStiffness>;
+    static constexpr bool bearsSingle = true;
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return dot(ij.gradW, i.u - j.u); }
     auto finish(const auto& i, double sum) const { return i.a * sum; }
 };
 
 /// Repulsion of a pair: its force over its distance, per dW/dr/r, and 0 where it attracts.
-inline double repulsion(const auto& i, const auto& j) { return std::fmax(0.0, i.P + j.P); }
+inline auto repulsion(const auto& i, const auto& j) { return fmax(decltype(i.P + j.P){}, i.P + j.P); }
 
 /// dF_i/(m_i dt)
 struct PressureResponse
@@ -83,19 +84,21 @@ struct PressureResponse
     using Provides = StiffResponse;
     using Reads = Fields<Displacement, CompressionChange, PressureStrength>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        return -1 / i.m * ((i.q + j.q) * ij.gradW - repulsion(i, j) * ij.dWdrOverR * (i.u - j.u));
+        return (i.q + j.q) * ij.gradW - repulsion(i, j) * ij.dWdrOverR * (i.u - j.u);
     }
+    auto finish(const auto& i, const auto& sum) const { return -1 / i.m * sum; }
 };
 
 /// The diagonal of that, mean over directions [1/s^2]:
 ///
 ///   kappa_i = 1/(d m_i) [a_i |sum_j gradW_ij|^2 + sum_j a_j |gradW_ij|^2] - 1/m_i sum_j g_ij
-template<int dim> struct DiagonalSums
+template<int dim, class Real> struct DiagonalSums
 {
-    Vector<dim> slope;
-    double ofOthers;
+    Vector<dim, Real> slope;
+    Real ofOthers;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.slope, q.ofOthers); }
 };
 struct PressureRate
@@ -104,10 +107,12 @@ struct PressureRate
     using Provides = StiffRate;
     using Reads = Fields<VolumeStiffness, PressureStrength>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        return DiagonalSums<dim>{ij.gradW, j.a * dot(ij.gradW, ij.gradW) - dim * repulsion(i, j) * ij.dWdrOverR * (ij.rr > 0)};
+        return DiagonalSums<dim, decltype(ij.rr)>{ij.gradW,
+                                                  j.a * dot(ij.gradW, ij.gradW) - ij.ofOther(dim * repulsion(i, j) * ij.dWdrOverR)};
     }
     auto finish(const auto& i, const auto& sum) const
     {

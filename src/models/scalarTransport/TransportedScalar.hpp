@@ -9,8 +9,8 @@ namespace sph
 {
 
 // clang-format off
-struct ScalarValue { static constexpr FieldInfo info{"scalar", "1"};      template<int dim> struct At { double c; }; };
-struct ScalarRate  { static constexpr FieldInfo info{"dscalardt", "1/s"}; template<int dim> struct At { double dcdt; }; };
+struct ScalarValue { static constexpr FieldInfo info{"scalar", "1"};      template<int dim, class Real = double> struct At { Real c; }; };
+struct ScalarRate  { static constexpr FieldInfo info{"dscalardt", "1/s"}; template<int dim, class Real = double> struct At { Real dcdt; }; };
 // clang-format on
 
 struct TransportedScalar

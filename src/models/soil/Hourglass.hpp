@@ -20,10 +20,10 @@ namespace sph
 {
 
 // clang-format off
-struct UnstrainedMotion   { static constexpr FieldInfo info{"unstrainedMotion", "m", Image::mirrored};   template<int dim> struct At { Vector<dim> xi; }; };
-struct UnstrainedGradient { static constexpr FieldInfo info{"unstrainedGradient", "1", Image::mirrored}; template<int dim> struct At { Tensor<dim> H; }; };
-struct UnstrainedOffFit   { static constexpr FieldInfo info{"unstrainedOffFit", "m", Image::mirrored};   template<int dim> struct At { Vector<dim> e; }; };
-struct HourglassModulus   { static constexpr FieldInfo info{"hourglassModulus", "Pa"};                   template<int dim> struct At { double kM; }; };
+struct UnstrainedMotion   { static constexpr FieldInfo info{"unstrainedMotion", "m", Image::mirrored};   template<int dim, class Real = double> struct At { Vector<dim, Real> xi; }; };
+struct UnstrainedGradient { static constexpr FieldInfo info{"unstrainedGradient", "1", Image::mirrored}; template<int dim, class Real = double> struct At { Tensor<dim, Real> H; }; };
+struct UnstrainedOffFit   { static constexpr FieldInfo info{"unstrainedOffFit", "m", Image::mirrored};   template<int dim, class Real = double> struct At { Vector<dim, Real> e; }; };
+struct HourglassModulus   { static constexpr FieldInfo info{"hourglassModulus", "Pa"};                   template<int dim, class Real = double> struct At { Real kM; }; };
 // clang-format on
 
 template<int dim> struct MeanOff

@@ -20,10 +20,10 @@ namespace sph
 {
 
 // clang-format off
-struct PorePressure       { static constexpr FieldInfo info{"porePressure", "Pa", Image::ruled, nullptr, "porePressure"};              template<int dim> struct At { double p_w; }; };
-struct PorePressureChange { static constexpr FieldInfo info{"porePressureChange", "Pa", Image::ruledChange, nullptr, "porePressure"};  template<int dim> struct At { double dp_w; }; };
+struct PorePressure       { static constexpr FieldInfo info{"porePressure", "Pa", Image::ruled, nullptr, "porePressure"};              template<int dim, class Real = double> struct At { Real p_w; }; };
+struct PorePressureChange { static constexpr FieldInfo info{"porePressureChange", "Pa", Image::ruledChange, nullptr, "porePressure"};  template<int dim, class Real = double> struct At { Real dp_w; }; };
 /// -p I. Images have that of their source: what continues it through walls is in the total stress, by the weight of soil and water (ContinuedStress.hpp).
-struct PoreStress         { static constexpr FieldInfo info{"poreStress", "Pa", Image::mirrored};  template<int dim> struct At { SymmTensor<dim> S; }; };
+struct PoreStress         { static constexpr FieldInfo info{"poreStress", "Pa", Image::mirrored};  template<int dim, class Real = double> struct At { SymmTensor<dim, Real> S; }; };
 // clang-format on
 
 /// Acceleration by a change of the pore pressure, summed apart.

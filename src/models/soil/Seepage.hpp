@@ -22,12 +22,12 @@ namespace sph
 {
 
 // clang-format off
-struct SurfaceRow        { static constexpr FieldInfo info{"surfaceRow", "1"};                        template<int dim> struct At { double isSurface; }; };
-struct KernelSlope       { static constexpr FieldInfo info{"kernelSlope", "1/m"};                     template<int dim> struct At { double m_1; }; };
-struct PoreLaplacian     { static constexpr FieldInfo info{"porePressureLaplacian", "Pa/m^2"};        template<int dim> struct At { double lap; }; };
-struct LaplacianOfChange { static constexpr FieldInfo info{"porePressureChangeLaplacian", "Pa/m^2"};  template<int dim> struct At { double lap; }; };
-struct SurfaceDrainage   { static constexpr FieldInfo info{"surfaceDrainage", "1/m^2"};               template<int dim> struct At { double alpha; }; };
-struct SeepageDiagonal   { static constexpr FieldInfo info{"seepageDiagonal", "1/m^2"};               template<int dim> struct At { double diagonal; }; };
+struct SurfaceRow        { static constexpr FieldInfo info{"surfaceRow", "1"};                        template<int dim, class Real = double> struct At { Real isSurface; }; };
+struct KernelSlope       { static constexpr FieldInfo info{"kernelSlope", "1/m"};                     template<int dim, class Real = double> struct At { Real m_1; }; };
+struct PoreLaplacian     { static constexpr FieldInfo info{"porePressureLaplacian", "Pa/m^2"};        template<int dim, class Real = double> struct At { Real lap; }; };
+struct LaplacianOfChange { static constexpr FieldInfo info{"porePressureChangeLaplacian", "Pa/m^2"};  template<int dim, class Real = double> struct At { Real lap; }; };
+struct SurfaceDrainage   { static constexpr FieldInfo info{"surfaceDrainage", "1/m^2"};               template<int dim, class Real = double> struct At { Real alpha; }; };
+struct SeepageDiagonal   { static constexpr FieldInfo info{"seepageDiagonal", "1/m^2"};               template<int dim, class Real = double> struct At { Real diagonal; }; };
 // clang-format on
 
 template<int dim> struct SlopeMoments

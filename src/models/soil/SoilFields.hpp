@@ -13,16 +13,16 @@ namespace sph
 /// e:e) dt, e = dev D, of all strain to and fro; gamma_p the same of the plastic part of D, of laws that have one; and w = integral of
 /// sigma:D dt, what the stress has done to a volume.
 // clang-format off
-struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim> struct At { StressTensor<dim> sigma; }; };
-struct OlderStress  { static constexpr FieldInfo info{"sigma_0", "Pa", Image::mirrored};                            template<int dim> struct At { StressTensor<dim> sigma_0; }; };
-struct ActingStress { static constexpr FieldInfo info{"actingStress", "Pa", Image::ruled, nullptr, "actingStress"}; template<int dim> struct At { SymmTensor<dim> S; }; };
-struct WallShear    { static constexpr FieldInfo info{"wallShear", "Pa", Image::mirrored};                          template<int dim> struct At { SymmTensor<dim> T; }; };
-struct StressNoise  { static constexpr FieldInfo info{"stressNoise", "Pa", Image::mirrored};                        template<int dim> struct At { StressTensor<dim> noise; }; };
-struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim> struct At { double c; }; };
-struct StrainRate   { static constexpr FieldInfo info{"strainRate", "1/s"};  template<int dim> struct At { SymmTensor<dim> D; }; };
-struct ShearStrain  { static constexpr FieldInfo info{"shearStrain", "1"};   template<int dim> struct At { double gamma; }; };
-struct PlasticShearStrain { static constexpr FieldInfo info{"plasticShearStrain", "1"}; template<int dim> struct At { double gamma_p; }; };
-struct StressWork   { static constexpr FieldInfo info{"stressWork", "J/m^3"}; template<int dim> struct At { double w; }; };
+struct SoilStress   { static constexpr FieldInfo info{"sigma", "Pa", Image::mirrored};                              template<int dim, class Real = double> struct At { StressTensor<dim> sigma; }; };
+struct OlderStress  { static constexpr FieldInfo info{"sigma_0", "Pa", Image::mirrored};                            template<int dim, class Real = double> struct At { StressTensor<dim> sigma_0; }; };
+struct ActingStress { static constexpr FieldInfo info{"actingStress", "Pa", Image::ruled, nullptr, "actingStress"}; template<int dim, class Real = double> struct At { SymmTensor<dim, Real> S; }; };
+struct WallShear    { static constexpr FieldInfo info{"wallShear", "Pa", Image::mirrored};                          template<int dim, class Real = double> struct At { SymmTensor<dim, Real> T; }; };
+struct StressNoise  { static constexpr FieldInfo info{"stressNoise", "Pa", Image::mirrored};                        template<int dim, class Real = double> struct At { StressTensor<dim> noise; }; };
+struct SoilSound    { static constexpr FieldInfo info{"soundSpeed", "m/s"};                                         template<int dim, class Real = double> struct At { Real c; }; };
+struct StrainRate   { static constexpr FieldInfo info{"strainRate", "1/s"};  template<int dim, class Real = double> struct At { SymmTensor<dim, Real> D; }; };
+struct ShearStrain  { static constexpr FieldInfo info{"shearStrain", "1"};   template<int dim, class Real = double> struct At { Real gamma; }; };
+struct PlasticShearStrain { static constexpr FieldInfo info{"plasticShearStrain", "1"}; template<int dim, class Real = double> struct At { Real gamma_p; }; };
+struct StressWork   { static constexpr FieldInfo info{"stressWork", "J/m^3"}; template<int dim, class Real = double> struct At { Real w; }; };
 // clang-format on
 
 /// Numbers that terms of soil are made from.

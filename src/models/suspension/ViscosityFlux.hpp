@@ -13,10 +13,10 @@ namespace sph
 {
 
 // clang-format off
-struct ViscosityDiffusivity { static constexpr FieldInfo info{"viscosityDiffusivity", "m^2/s"};  template<int dim> struct At { double B; }; };
-struct PowderChange         { static constexpr FieldInfo info{"dphi", "1"};                       template<int dim> struct At { double q; }; };
-struct PowderResponse       { static constexpr FieldInfo info{"dphidtOfChange", "1/s"};           template<int dim> struct At { double response; }; };
-struct PowderRelaxation     { static constexpr FieldInfo info{"powderRelaxation", "1/s"};         template<int dim> struct At { double lambda; }; };
+struct ViscosityDiffusivity { static constexpr FieldInfo info{"viscosityDiffusivity", "m^2/s"};  template<int dim, class Real = double> struct At { Real B; }; };
+struct PowderChange         { static constexpr FieldInfo info{"dphi", "1"};                       template<int dim, class Real = double> struct At { Real q; }; };
+struct PowderResponse       { static constexpr FieldInfo info{"dphidtOfChange", "1/s"};           template<int dim, class Real = double> struct At { Real response; }; };
+struct PowderRelaxation     { static constexpr FieldInfo info{"powderRelaxation", "1/s"};         template<int dim, class Real = double> struct At { Real lambda; }; };
 // clang-format on
 
 struct DiffusivityOfViscosity

@@ -18,6 +18,7 @@ struct ColourSmoothing
     static constexpr auto name = "colourSmoothing";
     using Provides = SmoothedColour;
     using Reads = Fields<Volume, Phase>;
+    static constexpr bool bearsSingle = true;
     static constexpr bool readsKernel = true;
 
     auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * (1 - j.phase) * ij.W; }
@@ -31,6 +32,7 @@ struct SmoothedColourGradient
     static constexpr auto name = "smoothedColourGradient";
     using Provides = ColourGradient;
     using Reads = Fields<Volume, SmoothedColour>;
+    static constexpr bool bearsSingle = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return j.V * (j.colour - i.colour) * ij.gradW; }
 };
@@ -56,9 +58,9 @@ struct AdheringColourGradient : SmoothedColourGradient
 };
 
 /// Two symmetric tensors that one loop sums.
-template<int dim> struct TensorPair
+template<int dim, class Real> struct TensorPair
 {
-    SymmTensor<dim> a, b;
+    SymmTensor<dim, Real> a, b;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.a, q.b); }
 };
 
@@ -75,17 +77,18 @@ struct InterfaceCurvature
     static constexpr auto name = "interfaceCurvature";
     using Provides = RawCurvature;
     using Reads = Fields<Volume, ColourGradient>;
+    static constexpr bool bearsSingle = true;
     double least, most;
 
     explicit InterfaceCurvature(const Coefficients& c) : least(0.01 / c.support), most(1 / c.spacing) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        const double g_i = mag(i.gradC), g_j = mag(j.gradC);
-        const double present = g_i > least && g_j > least ? 1.0 : 0.0;
-        const auto n_j = 1 / (g_j + 1e-300) * j.gradC, n_i = 1 / (g_i + 1e-300) * i.gradC;
-        const double w = present * j.V;
-        return TensorPair<dim>{w * symm(n_j - n_i, ij.gradW), -w * ij.dWdrOverR * outer(ij.x)};
+        const auto g_i = mag(i.gradC), g_j = mag(j.gradC);
+        const auto present = g_i > least && g_j > least ? decltype(g_i){1} : decltype(g_i){};
+        const auto n_j = 1 / (g_j + smallest(g_j)) * j.gradC, n_i = 1 / (g_i + smallest(g_i)) * i.gradC;
+        const auto w = present * j.V;
+        return TensorPair<dim, decltype(ij.rr)>{w * symm(n_j - n_i, ij.gradW), -w * ij.dWdrOverR * outer(ij.x)};
     }
     auto finish(const auto&, const auto& sum) const
     {
@@ -103,9 +106,13 @@ struct CurvatureSmoothing
     static constexpr auto name = "curvatureSmoothing";
     using Provides = Curvature;
     using Reads = Fields<Volume, ColourGradient, RawCurvature>;
+    static constexpr bool bearsSingle = true;
     static constexpr bool readsKernel = true;
 
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.V * mag(j.gradC) * ij.W * Vector<2>{j.rawKappa, 1.0}; }
+    auto operator()(const auto& ij, const auto&, const auto& j) const
+    {
+        return j.V * mag(j.gradC) * ij.W * Vector<2, decltype(ij.W)>{j.rawKappa, 1.0};
+    }
     auto finish(const auto&, Vector<2> sum) const { return sum.y > 0 ? sum.x / sum.y : 0.0; }
 };
 
@@ -123,12 +130,13 @@ struct CurvatureForce
     using Adds = Acceleration;
     using Reads = Fields<Volume, Phase, Density, Curvature>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     double gamma; ///< [N/m]
 
     explicit CurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? tensionsOf(c).between[1] : 0) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
+        const auto across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
         return 0.5 * gamma * across / i.m * (i.kappa + j.kappa) * i.rho / (i.rho + j.rho) * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };
@@ -146,12 +154,13 @@ struct EvenCurvatureForce
     using Adds = Acceleration;
     using Reads = Fields<Volume, Phase, Curvature>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     double gamma; ///< [N/m]
 
     explicit EvenCurvatureForce(const Coefficients& c) : gamma(c.phases.size() == 2 ? tensionsOf(c).between[1] : 0) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        const double across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
+        const auto across = j.phase - i.phase; // s_i for pairs across the interface, 0 for all others
         return 0.25 * gamma * across / i.m * (i.kappa + j.kappa) * (sqr(i.V) + sqr(j.V)) * ij.gradW;
     }
 };

@@ -11,26 +11,26 @@ namespace sph
 struct NearestWall
 {
     static constexpr FieldInfo info{"nearestWall", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double nearestWall;
+        Real nearestWall;
     };
 };
 struct NearestWallNormal
 {
     static constexpr FieldInfo info{"nearestWallNormal", "1", Image::mirrored};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        Vector<dim> n_w;
+        Vector<dim, Real> n_w;
     };
 };
 
 struct WallDistance
 {
     static constexpr FieldInfo info{"wallDistance", "m"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double d;
+        Real d;
     };
 };
 

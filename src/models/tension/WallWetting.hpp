@@ -23,9 +23,9 @@ namespace sph
 struct WettingCurvature
 {
     static constexpr FieldInfo info{"wettingCurvature", "1/m"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double k_w;
+        Real k_w;
     };
 };
 

@@ -10,13 +10,13 @@ namespace sph
 {
 
 // clang-format off
-struct Temperature     { static constexpr FieldInfo info{"T", "K", Image::ruled, nullptr, "T"};                     template<int dim> struct At { double T; }; };
-struct TemperatureRate { static constexpr FieldInfo info{"dTdt", "K/s"};                                            template<int dim> struct At { double dTdt; }; };
+struct Temperature     { static constexpr FieldInfo info{"T", "K", Image::ruled, nullptr, "T"};                     template<int dim, class Real = double> struct At { Real T; }; };
+struct TemperatureRate { static constexpr FieldInfo info{"dTdt", "K/s"};                                            template<int dim, class Real = double> struct At { Real dTdt; }; };
 /// 0 in the fluid and behind walls that nothing passes, 1 + wall behind one of given temperature or heat flux (the first of those that a ghost was mirrored in),
 /// and 1 + the number of walls where the ghost has no part in conduction.
-struct HeatedWall      { static constexpr FieldInfo info{"heatedWall", "1", Image::ruled, nullptr, "heatedWall"};   template<int dim> struct At { double heatedWall; }; };
-struct WallHeat        { static constexpr FieldInfo info{"heat", "J/kg"};                                           template<int dim> struct At { double heat; }; };
-struct WallHeatRate    { static constexpr FieldInfo info{"dheatdt", "W/kg"};                                        template<int dim> struct At { double dheatdt; }; };
+struct HeatedWall      { static constexpr FieldInfo info{"heatedWall", "1", Image::ruled, nullptr, "heatedWall"};   template<int dim, class Real = double> struct At { Real heatedWall; }; };
+struct WallHeat        { static constexpr FieldInfo info{"heat", "J/kg"};                                           template<int dim, class Real = double> struct At { Real heat; }; };
+struct WallHeatRate    { static constexpr FieldInfo info{"dheatdt", "W/kg"};                                        template<int dim, class Real = double> struct At { Real dheatdt; }; };
 // clang-format on
 
 /// A wall of given temperature or given heat flux into the fluid; nothing passes one with neither.

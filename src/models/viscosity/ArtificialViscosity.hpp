@@ -21,6 +21,7 @@ struct ArtificialViscosity
     using Adds = Acceleration;
     using Reads = Fields<Volume, Velocity>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     double coefficient, small;
 
     explicit ArtificialViscosity(const Coefficients& c) : coefficient(c.of<ArtificialNumber>().mu), small(0.01 * sqr(0.5 * c.support)) {}

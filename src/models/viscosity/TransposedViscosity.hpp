@@ -19,10 +19,10 @@
 namespace sph
 {
 
-template<int dim> struct GradientAndMoment
+template<int dim, class Real> struct GradientAndMoment
 {
-    Tensor<dim> A;
-    SymmTensor<dim> moment;
+    Tensor<dim, Real> A;
+    SymmTensor<dim, Real> moment;
     static constexpr auto parts(auto& q, const auto& f) { return f(q.A, q.moment); }
 };
 
@@ -30,14 +30,15 @@ template<class MeanViscosity> struct GradientOfStress
 {
     using Provides = ViscousGradient;
     using Reads = typename MeanViscosity::template Reads<Velocity>;
+    static constexpr bool bearsSingle = true;
     MeanViscosity mean;
 
     explicit GradientOfStress(const Coefficients& c) : mean(c) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         constexpr int dim = dimensions(decltype(ij.x){});
-        const double w = j.V * mean(i, j);
-        return GradientAndMoment<dim>{w * outer(j.v - i.v, ij.gradW), -w * ij.dWdrOverR * outer(ij.x)};
+        const auto w = j.V * mean(i, j);
+        return GradientAndMoment<dim, decltype(ij.rr)>{w * outer(j.v - i.v, ij.gradW), -w * ij.dWdrOverR * outer(ij.x)};
     }
     auto finish(const auto&, const auto& sum) const
     {
@@ -51,6 +52,7 @@ template<class MeanViscosity> struct TransposedSum
     using Adds = Acceleration;
     using Reads = typename MeanViscosity::template Reads<ViscousGradient>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     MeanViscosity mean;
 
     explicit TransposedSum(const Coefficients& c) : mean(c) {}

@@ -1,5 +1,6 @@
 /// Acceleration by viscosity. The mean viscosity of a pair is a policy: harmonic between phases, one constant in a single phase.
 #pragma once
+#include "base/sumOfSquares.hpp"
 #include "fields/fieldTags.hpp"
 #include "plan/Coefficients.hpp"
 #include <algorithm>
@@ -26,7 +27,7 @@ struct UniformViscosity
     double mu; ///< [Pa s]
 
     explicit UniformViscosity(const Coefficients& c) : mu(c.viscosity[0]) {}
-    double operator()(const auto&, const auto&) const { return mu; }
+    auto operator()(const auto&, const auto&) const { return mu; }
 };
 
 /// Viscosity of a pair of two phases:
@@ -38,7 +39,7 @@ struct HarmonicMean
 {
     template<class... Other> using Reads = Fields<Volume, Other..., DynamicViscosity>;
     explicit HarmonicMean(const Coefficients&) {}
-    double operator()(const auto& i, const auto& j) const { return 2 * i.mu * j.mu / (i.mu + j.mu + 1e-300); }
+    auto operator()(const auto& i, const auto& j) const { return 2 * i.mu * j.mu / (i.mu + j.mu + smallest(i.mu)); }
 };
 
 /// mu_i of the particle's phase [Pa s].
@@ -66,8 +67,11 @@ template<class MeanViscosity> struct MorrisSum
     MeanViscosity mean;
 
     explicit MorrisSum(const Coefficients& c) : mean(c) {}
-    /// Factor of a pair's velocity difference in its acceleration [1/s]: negative.
-    auto rate(const auto& ij, const auto& i, const auto& j) const { return 1 / i.m * mean(i, j) * (sqr(i.V) + sqr(j.V)) * ij.dWdrOverR; }
+    /// Factor of a pair's velocity difference in its force, times a number: negative.
+    auto times(auto number, const auto& ij, const auto& i, const auto& j) const
+    {
+        return number * mean(i, j) * sumOfSquares(i.V, j.V) * ij.dWdrOverR;
+    }
 };
 
 /// Cleary & Monaghan (1999), eq. (3.4) of Kauzlaric et al. (2011), there with V = m/rho:
@@ -79,15 +83,19 @@ template<class MeanViscosity> struct MorrisSum
 template<class MeanViscosity> struct ClearyMonaghanSum : MorrisSum<MeanViscosity>
 {
     using MorrisSum<MeanViscosity>::MorrisSum;
-    auto rate(const auto& ij, const auto& i, const auto& j) const { return 2 / i.m * this->mean(i, j) * i.V * j.V * ij.dWdrOverR; }
+    auto times(auto number, const auto& ij, const auto& i, const auto& j) const
+    {
+        return 2 * number * this->mean(i, j) * i.V * j.V * ij.dWdrOverR;
+    }
 };
 
 template<class MeanViscosity, template<class> class Sum = MorrisSum> struct MorrisViscosity : Sum<MeanViscosity>
 {
     using Reads = typename MeanViscosity::template Reads<Velocity>;
     using Adds = Acceleration;
+    static constexpr bool bearsSingle = true;
     using Sum<MeanViscosity>::Sum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j) * (i.v - j.v); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->times(1 / i.m, ij, i, j) * (i.v - j.v); }
 };
 
 /// Monaghan & Gingold's (1983) form along the line of centres, with the viscosities of two phases as Cleary (1998) and Hu & Adams have them:
@@ -103,10 +111,9 @@ template<class MeanViscosity, template<class> class Sum = MorrisSum> struct Morr
 template<class MeanViscosity> struct CentralSum : MorrisSum<MeanViscosity>
 {
     using MorrisSum<MeanViscosity>::MorrisSum;
-    auto along(const auto& ij, const auto& i, const auto& j, auto v_ij) const
+    auto along(auto number, const auto& ij, const auto& i, const auto& j, auto v_ij) const
     {
-        constexpr double small = 1e-300; // keeps 0/0 of a particle with itself away
-        return (dimensions(ij.x) + 2) * this->rate(ij, i, j) * dot(v_ij, ij.x) / (ij.rr + small) * ij.x;
+        return (dimensions(ij.x) + 2) * this->times(number, ij, i, j) * dot(v_ij, ij.x) / (ij.rr + smallest(ij.rr)) * ij.x;
     }
 };
 
@@ -114,8 +121,9 @@ template<class MeanViscosity> struct CentralViscosity : CentralSum<MeanViscosity
 {
     using Reads = typename MeanViscosity::template Reads<Velocity>;
     using Adds = Acceleration;
+    static constexpr bool bearsSingle = true;
     using CentralSum<MeanViscosity>::CentralSum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->along(ij, i, j, i.v - j.v); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->along(1 / i.m, ij, i, j, i.v - j.v); }
 };
 
 using SinglePhaseViscosity = Named<"singlePhaseViscosity", MorrisViscosity<UniformViscosity>>;
@@ -132,7 +140,9 @@ template<class MeanViscosity, template<class> class Sum = MorrisSum> struct Morr
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;
     using Provides = ViscousResponse;
     using Sum<MeanViscosity>::Sum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->rate(ij, i, j) * (i.dv - j.dv); }
+    static constexpr bool bearsSingle = true;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->times(1, ij, i, j) * (i.dv - j.dv); }
+    auto finish(const auto& i, const auto& sum) const { return 1 / i.m * sum; }
 };
 using SinglePhaseResponse = Named<"singlePhaseViscousResponse", MorrisResponse<UniformViscosity>>;
 using HarmonicResponse = Named<"harmonicViscousResponse", MorrisResponse<HarmonicMean>>;
@@ -144,7 +154,9 @@ template<class MeanViscosity> struct CentralResponse : CentralSum<MeanViscosity>
     using Reads = typename MeanViscosity::template Reads<VelocityChange>;
     using Provides = ViscousResponse;
     using CentralSum<MeanViscosity>::CentralSum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->along(ij, i, j, i.dv - j.dv); }
+    static constexpr bool bearsSingle = true;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return this->along(1, ij, i, j, i.dv - j.dv); }
+    auto finish(const auto& i, const auto& sum) const { return 1 / i.m * sum; }
 };
 using SinglePhaseClearyResponse = Named<"singlePhaseClearyResponse", CentralResponse<UniformViscosity>>;
 using ClearyResponse = Named<"clearyResponse", CentralResponse<HarmonicMean>>;
@@ -158,8 +170,9 @@ template<class MeanViscosity, template<class> class Sum = MorrisSum> struct Morr
 {
     using Reads = typename MeanViscosity::template Reads<>;
     using Provides = ViscousRate;
+    static constexpr bool bearsSingle = true;
     using Sum<MeanViscosity>::Sum;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -this->rate(ij, i, j) * (ij.rr > 0); }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return ij.ofOther(-this->times(1 / i.m, ij, i, j)); }
 };
 using SinglePhaseRate = Named<"singlePhaseViscousRate", MorrisRate<UniformViscosity>>;
 using HarmonicRate = Named<"harmonicViscousRate", MorrisRate<HarmonicMean>>;

@@ -13,49 +13,49 @@ namespace sph::test
 struct A
 {
     static constexpr FieldInfo info{"a", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double a;
+        Real a;
     };
 };
 struct B
 {
     static constexpr FieldInfo info{"b", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double b;
+        Real b;
     };
 };
 struct C
 {
     static constexpr FieldInfo info{"c", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double c;
+        Real c;
     };
 };
 struct D
 {
     static constexpr FieldInfo info{"d", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double d;
+        Real d;
     };
 };
 struct E
 {
     static constexpr FieldInfo info{"e", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double e;
+        Real e;
     };
 };
 struct Z
 {
     static constexpr FieldInfo info{"z", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double z;
+        Real z;
     };
 };
 

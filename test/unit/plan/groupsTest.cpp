@@ -167,7 +167,8 @@ struct DifferenceOfA
     static constexpr auto name = "differenceOfA";
     using Provides = C;
     using Reads = Fields<A>;
-    double operator()(const auto& ij, const auto& i, const auto& j) const { return (i.a - j.a) * ij.dWdrOverR; }
+    static constexpr bool bearsSingle = true;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return (i.a - j.a) * ij.dWdrOverR; }
 };
 /// d_i = sum_j (c_i - c_j) (dW_ij/dr) r, likewise
 struct DifferenceOfC
@@ -175,7 +176,18 @@ struct DifferenceOfC
     static constexpr auto name = "differenceOfC";
     using Provides = D;
     using Reads = Fields<C>;
-    double operator()(const auto& ij, const auto& i, const auto& j) const { return (i.c - j.c) * ij.dWdrOverR * ij.rr; }
+    static constexpr bool bearsSingle = true;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return (i.c - j.c) * ij.dWdrOverR * ij.rr; }
+};
+/// d_i = sum_j a_j W_ij, in either precision.
+struct SmoothedA
+{
+    static constexpr auto name = "smoothedA";
+    using Provides = D;
+    using Reads = Fields<A>;
+    static constexpr bool readsKernel = true;
+    static constexpr bool bearsSingle = true;
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.a * ij.W; }
 };
 
 // A group that bears single precision sums what it would, to the round-off of floats, wherever the domain lies; what a pair exerts on one of its two
@@ -219,6 +231,37 @@ TEST(Groups, BearSinglePrecision)
         EXPECT_NE(log.str().find("keeps      neighbours (dW/dr)/r in single precision\n"), std::string::npos) << log.str();
         EXPECT_NE(log.str().find("gathers    positions c in single precision\n"), std::string::npos) << log.str();
     }
+}
+
+// A pass that finds its neighbours and computes the kernel in single precision sums what the same pass in double does, to the round-off of floats; a term that does not bear it keeps
+// its pass in double.
+TEST(Groups, FindNeighboursInSinglePrecision)
+{
+    for (const bool bears : {true, false})
+    {
+        Toy toy(torus(), catalogue<2, DifferenceOfA, SmoothedA>(),
+                {{.name = "first", .terms = {"differenceOfA", "smoothedA"}, .bearsSingle = bears}}, Fields<A, Z>{});
+        toy.evaluate("first");
+        double largestOfD = 0, largestOfC = 0, offOfD = 0, offOfC = 0;
+        for (std::size_t i = 0; i < toy.n; ++i)
+        {
+            const double d = toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("a")[j] * toy.kernel.W(r); });
+            const double c = toy.over(i, toy.kernel,
+                                      [&](std::size_t j, double r) { return (toy.of("a")[i] - toy.of("a")[j]) * toy.kernel.dWdrOverR(r); });
+            largestOfD = std::max(largestOfD, std::fabs(d));
+            largestOfC = std::max(largestOfC, std::fabs(c));
+            offOfD = std::max(offOfD, std::fabs(toy.of("d")[i] - d));
+            offOfC = std::max(offOfC, std::fabs(toy.of("c")[i] - c));
+        }
+        EXPECT_LT(offOfD, (bears ? 1e-6 : 1e-13) * largestOfD);
+        EXPECT_LT(offOfC, (bears ? 1e-5 : 1e-13) * largestOfC);
+        EXPECT_TRUE(!bears || offOfD > 1e-10 * largestOfD) << "sums of doubles";
+    }
+    Toy mixed(torus(), catalogue<2, DifferenceOfA, OtherSum>(),
+              {{.name = "first", .terms = {"differenceOfA", "otherSum"}, .bearsSingle = true}}, Fields<A, Z>{});
+    std::ostringstream log;
+    mixed.plan.print(log, mixed.store);
+    EXPECT_EQ(log.str().find("single precision"), std::string::npos) << log.str();
 }
 
 // A group with a kernel of its own sums over what that kernel reaches, farther than the scene's or less far, images too; groups behind it find the pairs of

@@ -18,42 +18,42 @@ namespace
 struct Charge
 {
     static constexpr FieldInfo info{"charge", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double q;
+        Real q;
     };
 };
 struct ChargeRate
 {
     static constexpr FieldInfo info{"dchargedt", "1/s"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double dqdt;
+        Real dqdt;
     };
 };
 struct Spin
 {
     static constexpr FieldInfo info{"spin", "1/s", Image::mirrored};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        Vector<dim> w;
+        Vector<dim, Real> w;
     };
 };
 struct SpinRate
 {
     static constexpr FieldInfo info{"dspindt", "1/s^2", Image::mirrored};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        Vector<dim> dwdt;
+        Vector<dim, Real> dwdt;
     };
 };
 /// Number of a particle: carried, without a rate.
 struct Number
 {
     static constexpr FieldInfo info{"number", "1"};
-    template<int dim> struct At
+    template<int dim, class Real = double> struct At
     {
-        double number;
+        Real number;
     };
 };
 
