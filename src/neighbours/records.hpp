@@ -126,16 +126,24 @@ template<int dim> struct PlaceUnits
 
 namespace detail
 {
-/// x_i - x_j in single precision, of records of which the first four columns are given.
+/// x_i - x_j of a particle in single precision.
 template<int dim, class Wide> struct SingleDifferences
 {
-    typename Wide::Floats x[dim];
+    int place[dim];
+    float unit[dim];
 
-    SingleDifferences(const PlaceUnits<dim>& units, const float* record, const FourColumns<Wide>& first)
+    SingleDifferences(const PlaceUnits<dim>& units, const float* record)
     {
         for (int c = 0; c < dim; ++c)
-            x[c] =
-                Wide::asFloats(std::bit_cast<int>(record[c]) - std::bit_cast<typename Wide::Ints>(first.column[c])) * float(units.unit[c]);
+        {
+            place[c] = std::bit_cast<int>(record[c]);
+            unit[c] = float(units.unit[c]);
+        }
+    }
+    /// Component c, of records whose first four columns are given.
+    auto operator()(int c, const FourColumns<Wide>& first) const
+    {
+        return Wide::asFloats(place[c] - std::bit_cast<typename Wide::Ints>(first.column[c])) * unit[c];
     }
 };
 
@@ -145,13 +153,12 @@ template<int dim, int groups, class L, class Block>
 {
     using Wide = FloatLanes<2 * L::count>;
     constexpr int size = std::bit_ceil(4u * groups);
-    const float* const own = records + long(particle) * size;
+    const SingleDifferences<dim, Wide> difference(units, records + long(particle) * size);
     int t = 0;
     const auto gather = [&](const auto& at)
     {
         const auto first = loadFourColumns<Wide>([&](int k) { return records + long(at(k)) * size; });
-        const SingleDifferences<dim, Wide> ij(units, own, first);
-        for (int c = 0; c < dim; ++c) Wide::store(&to.x[c][t], ij.x[c]);
+        for (int c = 0; c < dim; ++c) Wide::store(&to.x[c][t], difference(c, first));
         for (int c = dim; c < 4; ++c) Wide::store(&to.field[c - dim][t], first.column[c]);
         for (int c = 4; c < 4 * groups; c += 4)
         {
@@ -176,16 +183,14 @@ template<int dim, class L = WidestLanes>
 {
     using Wide = FloatLanes<2 * L::count>;
     const long size = singleRecordSize<dim>(columnCount);
-    const float* const own = records + particle * size;
+    const detail::SingleDifferences<dim, Wide> difference(units, records + particle * size);
     const auto limit = float(sqr(radius)) - typename Wide::Floats{};
     long found = 0;
     for (int t = 0; t < n; t += Wide::count)
     {
-        const detail::SingleDifferences<dim, Wide> ij(units, own,
-                                                      loadFourColumns<Wide>([&](int k)
-                                                                            { return records + list[std::min(t + k, n - 1)] * size; }));
-        auto square = ij.x[0] * ij.x[0];
-        for (int c = 1; c < dim; ++c) square += ij.x[c] * ij.x[c];
+        const auto first = loadFourColumns<Wide>([&](int k) { return records + list[std::min(t + k, n - 1)] * size; });
+        auto square = difference(0, first) * difference(0, first);
+        for (int c = 1; c < dim; ++c) square += difference(c, first) * difference(c, first);
         const unsigned within = Wide::bits(square < limit);
         for (int half = 0; half < 2 && t + half * L::count < n; ++half)
         {

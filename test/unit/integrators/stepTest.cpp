@@ -531,6 +531,31 @@ TEST(Step, ATransportVelocityConservesMomentum)
         << "kg m/s in 2-D; the box holds 1000 kg at about 0.5 m/s";
 }
 
+// Terms in single precision leave the motion as it is to some 1e-6, and mass exactly; the state keeps the digits of double.
+TEST(Step, InMixedPrecisionIsThatInDouble)
+{
+    const auto after = [](const std::string& integrator, const std::string& precision)
+    {
+        auto files = vortexCase(integrator);
+        files["constant/phaseProperties"] =
+            "phases (water oil);\nwater { rho 1000; mu 20; soundSpeed 15; }\noil { rho 800; mu 30; soundSpeed 15; }\nsigma ( (water oil) 20 );\n";
+        files["system/sphSchemes"] += "precision " + precision + ";\n";
+        const auto settings = settingsOf(files);
+        const auto g = periodicSquare();
+        const auto simulation = makeSimulation(settings, g, vortex(true), {});
+        for (int k = 0; k < 20; ++k) simulation->step(0, 1e-4);
+        return simulation->summary();
+    };
+    for (const char* integrator : {"predictorCorrector", "implicit; tolerance 1e-3"})
+    {
+        const auto exact = after(integrator, "double"), mixed = after(integrator, "mixed");
+        EXPECT_NEAR(mixed.kineticEnergy, exact.kineticEnergy, 1e-6 * exact.kineticEnergy) << integrator;
+        EXPECT_NE(mixed.kineticEnergy, exact.kineticEnergy) << integrator;
+        EXPECT_LT(mag(mixed.momentum - exact.momentum), 1e-6 * 900) << "kg m/s in 2-D, " << integrator;
+        for (std::size_t k = 0; k < 2; ++k) EXPECT_EQ(mixed.mass[k], exact.mass[k]) << integrator;
+    }
+}
+
 // Two phases with viscosity and surface tension in a periodic box, 200 steps: the mass of each phase stays the same number, and
 // momentum stays at the round-off of 200 x 400 x 24 pair forces against the sum of |m v|, however the lists are rebuilt and the
 // particles sorted.

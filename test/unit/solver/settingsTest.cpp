@@ -77,6 +77,19 @@ TEST(Settings, UnknownWordsAreSuggested)
     expectError(edited(channelCase(), schemes, "support 2.6", "support 26"), "system/sphSchemes:1: ");
 }
 
+// Terms in single precision: no finer than floats hold, no wider than places do.
+TEST(Settings, MixedPrecisionIsRefusedWhereFloatsDoNotHold)
+{
+    const std::string schemes = "system/sphSchemes";
+    const auto mixed = edited(channelCase(), schemes, "wallVelocity", "precision mixed; wallVelocity");
+    EXPECT_EQ(reading(mixed).errors, "");
+    expectError(edited(mixed, schemes, "spacing 0.05", "spacing 9e-7"),
+                "system/sphSchemes:2: single precision holds the terms of pairs down to a spacing of 1e-06 m, and it is 9e-07 m here");
+    expectError(
+        edited(mixed, schemes, "spacing 0.05", "spacing 9e-6"),
+        "system/sphSchemes:2: places in single precision are multiples of 2^-30 of the domain, enough for 1e+05 spacings, and it has 1.11e+05");
+}
+
 // Words of a free surface, and the term that each selects; without them none of these terms is there.
 TEST(Settings, AFreeSurfaceHasTheTermsThatItsWordsName)
 {
