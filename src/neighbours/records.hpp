@@ -107,9 +107,9 @@ template<class L = WidestLanes> inline void packRecords(const double* const* fro
         for (int c = 0; c < width; ++c) to[i * width + c] = from[c][i];
 }
 
-/// Numbers of four bytes in a record of single precision, places as integers and columns as floats: a power of two, so that none of up to 64 bytes lies in two
+/// Numbers of four bytes in a record of single precision, places as integers and columns as floats: a power of two from 4 on, so that none of up to 64 bytes lies in two
 /// cache lines.
-template<int dim> constexpr int singleRecordSize(int columnCount) { return int(std::bit_ceil(unsigned(dim + columnCount))); }
+template<int dim> constexpr int singleRecordSize(int columnCount) { return std::max(4, int(std::bit_ceil(unsigned(dim + columnCount)))); }
 
 /// Places in records of single precision are multiples of 2^-30 of the domain's extent from its centre on; they are as fine everywhere, differ exactly, and those of
 /// periodic images by 2^30. The null particle, beyond all integers, is the least of them, and farther than the extent from what lies in the domain.
