@@ -42,7 +42,7 @@ struct Single
     }
 };
 
-/// What keeps 0/0 away, of numbers like q: far below all of them, and no less than the least normal one.
+/// A positive number far below all that terms divide by, in the precision of the argument: it keeps 0/0 away.
 constexpr double smallest(double) { return 1e-300; }
 constexpr Single smallest(Single) { return 1e-37; }
 

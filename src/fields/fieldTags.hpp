@@ -120,6 +120,7 @@ template<class... F, int dim, class Real> struct Values<Fields<F...>, dim, Real>
 
 /// Number of components of these values.
 template<class V> constexpr int valueComponents = 0;
-template<class... F, int dim, class Real> constexpr int valueComponents<Values<Fields<F...>, dim, Real>> = (fieldComponents<F, dim> + ... + 0);
+template<class... F, int dim, class Real>
+constexpr int valueComponents<Values<Fields<F...>, dim, Real>> = (fieldComponents<F, dim> + ... + 0);
 
 }

@@ -185,7 +185,7 @@ template<int dim> struct Stencil<dim, Single> : PairColumns<dim, Single>
     alignas(64) typename Columns::Column r;
     int kept[Columns::capacity];
 
-    /// As above; null particles lie beyond any support (PlaceUnits).
+    /// Null particles lie beyond any support (PlaceUnits), so that the kernel of theirs is 0 without a mask.
     template<class K>
     void fill(int particle, const KnownNeighbours& known, const float* records, int columnCount, const PlaceUnits<dim>& units,
               const K kernel, bool readsW, long nullParticle)

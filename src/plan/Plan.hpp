@@ -40,7 +40,7 @@ struct Group
     /// Fields by which the caller chooses BoundaryShare, by which each neighbour then counts in place of its volume factor; none: by that factor.
     std::set<std::string> sharesBy = {};
     bool repeats = false; ///< runs several times between two evaluations, as the iterations of a solve do
-    /// Those of its pair passes whose terms can are computed in single precision; sums stay double.
+    /// Pair passes of the group are computed in single precision where all of their terms bear it; sums of forces stay double.
     bool bearsSingle = false;
 };
 
