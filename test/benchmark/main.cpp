@@ -1,6 +1,6 @@
 /// Rates and memory of the core on one thread, one line a figure: `name value unit`.
 ///
-///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed meshes; all unless named
+///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed mixed meshes; all unless named
 #include "base/CaseError.hpp"
 #include "forcePass.hpp"
 #include "readMeshes.hpp"
@@ -40,7 +40,13 @@ int main(int argc, char** argv)
         if (wanted("bed")) print(wholeStep(cases / "bed", "bed", limit, 20, 4));
         if (wanted("bedStress")) print(wholeStep(cases / "bedStress", "bedStress", limit, 20, 4));
         if (wanted("meshes")) print(readMeshes());
-        if (wanted("bccBed")) print(wholeStep(cases / "../../../tutorials/heapLeaching/bccBed", "bccBed", limit, 10, 4));
+        const auto bccBed = cases / "../../../tutorials/heapLeaching/bccBed";
+        if (wanted("bccBed")) print(wholeStep(bccBed, "bccBed", limit, 10, 4));
+        if (!wanted("mixed")) return 0;
+        constexpr bool mixed = true;
+        print(wholeStep(cases / "block", "mixedWhole", limit, 12, 4, mixed));
+        print(wholeStep(cases / "bed", "mixedBed", limit, 20, 4, mixed));
+        print(wholeStep(bccBed, "mixedBccBed", limit, 10, 4, mixed));
     }
     catch (const CaseError& e)
     {

@@ -40,13 +40,14 @@ double neighboursWithinSupport(const AnySimulation& simulation, const Settings& 
 }
 }
 
-Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns)
+Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns, bool mixed)
 {
     const Case theCase(caseFolder);
     const auto plan = readPackingPlan(theCase);
     const auto resolution = readResolution(theCase.dictionary("system/sphSchemes"));
     const Geometry geometry = readGeometry(theCase.dictionary("constant/geometry"), resolution, supportsOfSolver);
-    const Settings settings = readSettings(theCase, geometry);
+    Settings settings = readSettings(theCase, geometry);
+    settings.mixedPrecision = mixed;
     theCase.diagnostics().throwIfAny();
     const auto simulation = makeSimulation(settings, geometry, cloudOf(pack(plan)), {});
     simulation->step(0, simulation->stepLimit().deltaT);

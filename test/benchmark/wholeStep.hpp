@@ -7,7 +7,8 @@ namespace sph
 {
 
 /// Figures are named after `name`. Work is counted as neighbours within the support (skin and the particle itself left out) times pair
-/// passes times particle-steps.
-Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns);
+/// passes times particle-steps. `mixed`: terms of pairs in single precision.
+Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns,
+                  bool mixed = false);
 
 }
