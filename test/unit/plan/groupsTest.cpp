@@ -1,6 +1,7 @@
 /// Groups of a plan: what one finds of those before it, what it has to make anew, and the kinds of laws that run in them.
 ///
 /// Sums of 21 numbers in another order, with reciprocals that -ffast-math may take: 1e-12 of them.
+#include "Largest.hpp"
 #include "Toy.hpp"
 #include "base/CaseError.hpp"
 #include "solver/models.hpp"
@@ -211,20 +212,21 @@ TEST(Groups, BearSinglePrecision)
         { return toy.over(i, toy.kernel, [&](std::size_t j, double r) { return (toy.of("c")[i] - toy.of("c")[j]) * slope(r) * sqr(r); }); };
         for (std::size_t i = 0; i < toy.n; ++i) toy.of("a")[i] += 0.1 * std::sin(double(i));
         toy.evaluate("again");
-        double sumOfC = 0, sumOfD = 0, scaleOfC = 0, scaleOfD = 0, furthest = 0;
+        double sumOfC = 0, sumOfD = 0, scaleOfC = 0, scaleOfD = 0;
+        Largest furthest;
         for (std::size_t i = 0; i < toy.n; ++i)
         {
             sumOfC += toy.of("c")[i];
             sumOfD += toy.of("d")[i];
             scaleOfC += std::fabs(toy.of("c")[i]);
             scaleOfD += std::fabs(toy.of("d")[i]);
-            furthest = std::max(furthest, std::fabs(toy.of("c")[i] - differenceOfA(i)));
+            furthest(toy.of("c")[i] - differenceOfA(i));
         }
         EXPECT_LT(std::fabs(sumOfC), 1e-13 * scaleOfC);
         EXPECT_LT(std::fabs(sumOfD), 1e-13 * scaleOfD);
         const double roundOff = 1e-6 * scaleOfC / double(toy.n);
-        EXPECT_LT(furthest, 20 * roundOff);
-        EXPECT_GT(furthest, 1e-3 * roundOff) << "sums of doubles";
+        EXPECT_LT(furthest.value(), 20 * roundOff);
+        EXPECT_GT(furthest.value(), 1e-3 * roundOff) << "sums of doubles";
         for (std::size_t i = 0; i < toy.n; ++i) EXPECT_NEAR(toy.of("d")[i], differenceOfC(i), 20e-6 * scaleOfD / double(toy.n)) << i;
         std::ostringstream log;
         toy.plan.print(log, toy.store);
@@ -242,20 +244,21 @@ TEST(Groups, FindNeighboursInSinglePrecision)
         Toy toy(torus(), catalogue<2, DifferenceOfA, SmoothedA>(),
                 {{.name = "first", .terms = {"differenceOfA", "smoothedA"}, .bearsSingle = bears}}, Fields<A, Z>{});
         toy.evaluate("first");
-        double largestOfD = 0, largestOfC = 0, offOfD = 0, offOfC = 0;
+        Largest d, c, offOfD, offOfC;
         for (std::size_t i = 0; i < toy.n; ++i)
         {
-            const double d = toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("a")[j] * toy.kernel.W(r); });
-            const double c = toy.over(i, toy.kernel,
-                                      [&](std::size_t j, double r) { return (toy.of("a")[i] - toy.of("a")[j]) * toy.kernel.dWdrOverR(r); });
-            largestOfD = std::max(largestOfD, std::fabs(d));
-            largestOfC = std::max(largestOfC, std::fabs(c));
-            offOfD = std::max(offOfD, std::fabs(toy.of("d")[i] - d));
-            offOfC = std::max(offOfC, std::fabs(toy.of("c")[i] - c));
+            const double d_i = toy.over(i, toy.kernel, [&](std::size_t j, double r) { return toy.of("a")[j] * toy.kernel.W(r); });
+            const double c_i =
+                toy.over(i, toy.kernel,
+                         [&](std::size_t j, double r) { return (toy.of("a")[i] - toy.of("a")[j]) * toy.kernel.dWdrOverR(r); });
+            d(d_i);
+            c(c_i);
+            offOfD(toy.of("d")[i] - d_i);
+            offOfC(toy.of("c")[i] - c_i);
         }
-        EXPECT_LT(offOfD, (bears ? 1e-6 : 1e-13) * largestOfD);
-        EXPECT_LT(offOfC, (bears ? 1e-5 : 1e-13) * largestOfC);
-        EXPECT_TRUE(!bears || offOfD > 1e-10 * largestOfD) << "sums of doubles";
+        EXPECT_LT(offOfD.value(), (bears ? 1e-6 : 1e-13) * d.value());
+        EXPECT_LT(offOfC.value(), (bears ? 1e-5 : 1e-13) * c.value());
+        EXPECT_TRUE(!bears || offOfD.value() > 1e-10 * d.value()) << "sums of doubles";
     }
     Toy mixed(torus(), catalogue<2, DifferenceOfA, OtherSum>(),
               {{.name = "first", .terms = {"differenceOfA", "otherSum"}, .bearsSingle = true}}, Fields<A, Z>{});
