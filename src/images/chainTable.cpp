@@ -65,4 +65,11 @@ bool hasTwin(const Chain& chain, std::span<const Chain> others, double spacing, 
                                });
 }
 
+bool pilesUp(const Chain& chain, std::span<const Chain> others, double spacing)
+{
+    return others.size() > mostInCorners &&
+           std::ranges::any_of(others, [&](const Chain& other)
+                               { return other.reflections < chain.reflections && mag(other.x - chain.x) < 0.25 * spacing; });
+}
+
 }

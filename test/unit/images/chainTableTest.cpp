@@ -122,6 +122,20 @@ TEST(ChainTable, KeepsAllImagesThatGoRoundAMesh)
     EXPECT_EQ(kept(next, ChainStep::sameMesh, {next}, false), Kept::yes);
 }
 
+// Beside an edge that all but touches another wall images come back to one another without end, whatever bodies they are of.
+TEST(ChainTable, EndsWhereManyImagesComeBack)
+{
+    std::vector<Chain> many(mostInCorners, chainOf({rock, floorPlane, rock}, {0.5, 0, 0}));
+    many.front() = chainOf({});
+    const std::vector<int> four{floorPlane, rock, floorPlane, rock};
+    EXPECT_EQ(kept(chainOf(four, {0.02, 0, 0}), ChainStep::inTurn, many), Kept::yes) << "no more than corners have";
+    many.push_back(many.back());
+    EXPECT_EQ(kept(chainOf(four, {0.02, 0, 0}), ChainStep::inTurn, many), Kept::twin) << "of the particle itself";
+    EXPECT_EQ(kept(chainOf(four, {0.51, 0, 0}), ChainStep::inTurn, many), Kept::twin) << "of an image of fewer reflections";
+    EXPECT_EQ(kept(chainOf(four, {0.03, 0, 0}), ChainStep::inTurn, many), Kept::yes) << "more than a quarter of a spacing off";
+    EXPECT_EQ(kept(chainOf({rock, rock, rock, rock}, {0.02, 0, 0}), ChainStep::sameMesh, many), Kept::twin);
+}
+
 TEST(ChainTable, LeavesOutWhatFillsNoCorner)
 {
     EXPECT_EQ(kept(chainOf({ball, rod}), ChainStep::newWall, {}, false), Kept::inNeither);
