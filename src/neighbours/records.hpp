@@ -186,19 +186,27 @@ template<int dim, class L = WidestLanes>
     const detail::SingleDifferences<dim, Wide> difference(units, records + particle * size);
     const auto limit = float(sqr(radius)) - typename Wide::Floats{};
     long found = 0;
-    for (int t = 0; t < n; t += Wide::count)
+    const auto keep = [&](int t, unsigned bits)
     {
-        const auto first = loadFourColumns<Wide>([&](int k) { return records + list[std::min(t + k, n - 1)] * size; });
+        L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t), bits));
+        found += std::popcount(bits);
+    };
+    const auto within = [&](const auto& listed)
+    {
+        const auto first = loadFourColumns<Wide>([&](int k) { return records + listed(k) * size; });
         auto square = difference(0, first) * difference(0, first);
         for (int c = 1; c < dim; ++c) square += difference(c, first) * difference(c, first);
-        const unsigned within = Wide::bits(square < limit);
-        for (int half = 0; half < 2 && t + half * L::count < n; ++half)
-        {
-            const unsigned bits = within >> half * L::count & ((1u << L::count) - 1);
-            L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t + half * L::count), bits));
-            found += std::popcount(bits);
-        }
+        return Wide::bits(square < limit);
+    };
+    constexpr unsigned all = (1u << L::count) - 1;
+    int t = 0;
+    for (; t + Wide::count <= n; t += Wide::count)
+    {
+        const unsigned bits = within([&](int k) { return list[t + k]; });
+        keep(t, bits & all);
+        keep(t + L::count, bits >> L::count);
     }
+    if (t < n) keep(t, within([&](int k) { return list[t + k % L::count]; }) & all);
     return int(found);
 }
 

@@ -179,6 +179,9 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
     const auto units = images.placeUnits();
 
+    const bool leavesOut =
+        !pass.keepsWithin && !pass.keepsSlopes && std::ranges::all_of(pass.operations, [](const auto& o) { return o->mayBeNothing(); });
+
     // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     constexpr std::size_t ahead = 2;
     const auto over = [&](std::size_t n, const int* which, const auto& k)
@@ -189,6 +192,11 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             for (std::size_t place = begin; place < end; ++place)
             {
                 const std::size_t i = which ? std::size_t(which[place]) : place;
+                if (leavesOut && std::ranges::all_of(pass.operations, [&](const auto& o) { return o->isNothingAt(i); }))
+                {
+                    for (const auto& o : pass.operations) o->clear(i);
+                    continue;
+                }
                 const KnownNeighbours known{pass.within ? lists.within(i) : lists.of(i, room), pass.within,
                                             pass.slopes ? lists.slopes(i) : KeptSlopes{}};
                 if (pass.slopes && place + ahead < end) lists.fetchKept(which ? std::size_t(which[place + ahead]) : place + ahead);

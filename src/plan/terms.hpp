@@ -223,6 +223,10 @@ template<int dim> struct Operation
     virtual ~Operation() = default;
     virtual void gather(const Stencil<dim>&) const {}         ///< pair term: the particle stencil.i
     virtual void gather(const Stencil<dim, Single>&) const {} ///< likewise, of one that bears single precision
+    /// Pair term: whether it knows particles at which its sum is 0 without a look at their neighbours, whether it is so at one, and its result there.
+    virtual bool mayBeNothing() const { return false; }
+    virtual bool isNothingAt(std::size_t /*i*/) const { return false; }
+    virtual void clear(std::size_t /*i*/) const {}
     virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {} ///< local law: particles begin .. end - 1
     virtual void atWalls(const NearWalls&, std::size_t /*begin*/, std::size_t /*end*/) const {}   ///< wall law: likewise
 };
@@ -313,6 +317,22 @@ public:
             else total = all;
         }
         eachComponent(total, [&](int c, double q) { result_[c][stencil.i] = adds_ ? result_[c][stencil.i] + q : q; });
+    }
+
+    bool mayBeNothing() const override
+    {
+        return requires(const T& term, const Own& i) { term.isNothingAt(i); };
+    }
+    bool isNothingAt([[maybe_unused]] std::size_t i) const override
+    {
+        if constexpr (requires(const T& term, const Own& own) { term.isNothingAt(own); })
+            return term_.isNothingAt(read<dim>(Own{}, [&](int k) { return own_[k][i]; }));
+        else return false;
+    }
+    void clear(std::size_t i) const override
+    {
+        for (double* const q : result_)
+            if (!adds_) q[i] = 0;
     }
 
     [[gnu::flatten]] void evaluate(std::size_t begin, std::size_t end, [[maybe_unused]] double deltaT) const override

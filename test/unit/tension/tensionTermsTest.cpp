@@ -245,6 +245,8 @@ template<int dim> void curvatureForm(const Terms& first, const std::string& ofJu
                         [&](std::size_t i)
                         {
                             double kappa = 0, all = 0;
+                            if (s.at(Phase{}, i) > 0 && s.at(SmoothedColour{}, i) == 0 && mag(s.at(ColourGradient{}, i)) == 0)
+                                return 0.0; // nobody asks
                             overPairs(s, i,
                                       [&](std::size_t j, auto, double, double W, auto)
                                       {
