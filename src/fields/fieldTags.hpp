@@ -86,7 +86,8 @@ struct PowderRate          { static constexpr FieldInfo info{"dphidt", "1/s"};  
 struct ShearRate           { static constexpr FieldInfo info{"gammaDot", "1/s"};                        template<int dim, class Real = double> struct At { Real gammaDot; }; };
 struct ShearStress         { static constexpr FieldInfo info{"tau", "Pa"};                              template<int dim, class Real = double> struct At { Real tau; }; };
 struct RelativeViscositySlope { static constexpr FieldInfo info{"viscositySlope", "1"};                 template<int dim, class Real = double> struct At { Real slope; }; };
-struct Holder              { static constexpr FieldInfo info{"heldBy", "1"};                             template<int dim, class Real = double> struct At { Real holder; }; };
+struct Holder              { static constexpr FieldInfo info{"heldBy", "1"};                             template<int dim, class Real = double> struct At { Real holder; };
+                             static constexpr double unknown = -1; }; ///< until openings look at the particle; it counts as one that was there
 struct HeldPressure        { static constexpr FieldInfo info{"heldPressure", "Pa"};                      template<int dim, class Real = double> struct At { Real p_h; };
                              static constexpr double ofDensity = -1e30; }; ///< of what has the pressure of its density
 struct BoundaryShare       { static constexpr FieldInfo info{"boundaryShare", "1", Image::placed};              template<int dim, class Real = double> struct At { Real s_b; }; };

@@ -12,12 +12,12 @@ OpenEnds::OpenEnds(const Case& theCase, const Geometry& geometry, const Resoluti
     cutOutParts(planes_, spacing_);
 }
 
-double OpenEnds::distance(const Vector<3>& x) const
+std::pair<const OpenPlane*, double> OpenEnds::nearest(const Vector<3>& x) const
 {
-    double nearest = Box::infinity;
+    std::pair<const OpenPlane*, double> nearest{nullptr, Box::infinity};
     for (const auto& plane : planes_)
         if (const double s = plane.distance(x); s > -depth_ ? plane.faces(x, geometry_.dimension) : plane.inSight(geometry_, x, spacing_))
-            nearest = std::min(nearest, s);
+            if (s < nearest.second) nearest = {&plane, s};
     return nearest;
 }
 

@@ -19,8 +19,10 @@ public:
     OpenEnds(const Case&, const Geometry&, const Resolution&);
 
     bool none() const { return planes_.empty(); }
+    /// The nearest plane, and the distance from it, as below; null where there is none.
+    std::pair<const OpenPlane*, double> nearest(const Vector<3>& x) const;
     /// Distance from the nearest plane, of those that are open where x stands before or behind them [m]: < 0 beyond it, infinite where there is none.
-    double distance(const Vector<3>& x) const;
+    double distance(const Vector<3>& x) const { return nearest(x).second; }
     bool beyond(const Vector<3>& x) const { return distance(x) < 0; }
 };
 

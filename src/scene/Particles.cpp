@@ -102,6 +102,15 @@ template<int dim> std::vector<float> Particles<dim>::costs() const
 
 template<int dim> std::size_t Particles<dim>::total() const { return ofAllRanks(owned_, std::size_t(0), Add{}); }
 
+template<int dim> void Particles<dim>::hold(const RunningModel<dim>& by, std::vector<int> held)
+{
+    const auto known = std::ranges::find(heldBy_, &by, [](const auto& each) { return each.first; });
+    if (known == heldBy_.end()) heldBy_.emplace_back(&by, std::move(held));
+    else known->second = std::move(held);
+    held_.clear();
+    for (const auto& [model, each] : heldBy_) held_.insert(held_.end(), each.begin(), each.end());
+}
+
 template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held_.size(), std::size_t(0), Add{}) > 0; }
 
 template<int dim> void Particles<dim>::makeLists()

@@ -80,7 +80,8 @@ public:
 
     /// Particles whose state is prescribed: rates leave them alone.
     std::span<const int> held() const { return held_; }
-    void hold(std::vector<int> held) { held_ = std::move(held); }
+    /// Those that one model holds from now on, beside what others hold.
+    void hold(const RunningModel<dim>& by, std::vector<int> held);
     /// Whether any rank has buffer particles; all ranks must ask.
     bool holdsAny() const;
     void withholdRate(const std::string& field, double deltaT)
@@ -119,7 +120,8 @@ private:
     std::vector<std::unique_ptr<RunningModel<dim>>> runningModels_;
     std::map<JoinPoint, std::vector<Stage<dim>>> joined_;
     std::map<std::string, long> joinedRuns_;
-    std::vector<int> held_;
+    std::vector<std::pair<const RunningModel<dim>*, std::vector<int>>> heldBy_;
+    std::vector<int> held_; ///< all of those
     std::size_t owned_ = 0;
     double skin_, travelled_ = 0, maxSpeed_ = 0, observedAcceleration_ = 0;
     long rebuilds_ = 0;

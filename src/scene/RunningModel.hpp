@@ -108,6 +108,8 @@ public:
     virtual void withholdRate(Particles<dim>&, const std::string& /*field*/, double /*deltaT*/) {}
     /// Further limits of the step.
     virtual std::vector<StepLimit> limits() const { return {}; }
+    /// Mass of a phase that the model has let into the scene since the first start, less what it has taken out, openings aside [kg].
+    virtual double letIn(std::size_t /*phase*/) const { return 0; }
     /// Numbers of the log's columns, by name.
     virtual Numbers columns(const Particles<dim>&) const { return {}; }
     /// Text of the log, once before the first step and at each report: lines, each with its line end.

@@ -92,4 +92,13 @@ struct TaitOfPhaseOrAmbient : TaitOfPhase
     auto operator()(const auto& i) const { return p_b + (1 - Ambient::share(i.ambient)) * (TaitOfPhase::operator()(i) - p_b); }
 };
 
+/// The same, but for what openings hold.
+struct TaitOfPhaseOrHeldOrAmbient : TaitOfPhaseOrAmbient
+{
+    static constexpr auto name = "taitOfPhaseOrHeldOrAmbient";
+    using ReadsOwn = Fields<Density, Phase, Ambient, Holder, HeldPressure>;
+    using TaitOfPhaseOrAmbient::TaitOfPhaseOrAmbient;
+    auto operator()(const auto& i) const { return isPrescribed(i) ? i.p_h : TaitOfPhaseOrAmbient::operator()(i); }
+};
+
 }

@@ -19,15 +19,16 @@ constexpr double mostOff = 0.75;        ///< particles of a block, too many or t
 }
 
 template<int dim>
-GasBand<dim>::GasBand(Particles<dim>& particles, const Numbers& restored, std::size_t gas, double width)
-    : map_(particles.geometry(), particles.coefficients().spacing),
+GasBand<dim>::GasBand(Particles<dim>& particles, const Numbers& restored, std::size_t gas, double width, const SceneEnds& ends)
+    : map_(particles.geometry(), particles.coefficients().spacing, ends),
       gas_(gas),
       spacing_(particles.coefficients().spacing),
       width_(width * particles.coefficients().support / spacing_),
       widthOfMotion_(width_ - particles.coefficients().support / spacing_),
       freeWidth_(std::min(mostFree, widthOfMotion_ - 1)),
       restVolume_(std::pow(spacing_, dim)),
-      solvesPressure_(particles.settings().integration.solvesPressure)
+      solvesPressure_(particles.settings().integration.solvesPressure),
+      hasOpenings_(bool(ends.distance))
 {
     const auto restore = [&](const char* name, auto& value)
     {
@@ -92,6 +93,12 @@ template<int dim> bool GasBand<dim>::isGas(const FieldStore<dim>& store, std::si
     return std::size_t(store.component(Phase::info.name, 0)[i]) == gas_;
 }
 
+/// Whether an opening holds it.
+template<int dim> bool GasBand<dim>::isHeld(const FieldStore<dim>& store, std::size_t i) const
+{
+    return hasOpenings_ && store.component(Holder::info.name, 0)[i] > 0;
+}
+
 /// Over that at rest.
 template<int dim> double GasBand<dim>::volumeOver(const FieldStore<dim>& store, std::size_t i) const
 {
@@ -104,7 +111,7 @@ template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
     std::vector<int> held;
     for (std::size_t i = 0; i < particles.size(); ++i)
         if (ambient[i] == Ambient::stands) held.push_back(int(i));
-    particles.hold(std::move(held));
+    particles.hold(*this, std::move(held));
 }
 
 template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t owned) const
@@ -117,8 +124,8 @@ template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t
         const auto cell = map_.cellOf(in3D(valueAt<Vector<dim>>(x, i)));
         const double outwards = Ambient::isMoving(ambient[i]) ? widthOfMotion_ + hysteresis : widthOfMotion_,
                      d = std::sqrt(map_.squaredDistance(cell));
-        ambient[i] = !isGas(store, i) || map_.isEnclosed(cell) ? 0
-                     : d > outwards                            ? Ambient::stands
+        ambient[i] = !isGas(store, i) || isHeld(store, i) || map_.isEnclosed(cell) ? 0
+                     : d > outwards                                                ? Ambient::stands
                                     : Ambient::moving(std::clamp((d - freeWidth_) / (widthOfMotion_ - freeWidth_), 0.0, 1.0));
         for (int c = 0; ambient[i] == Ambient::stands && c < dim; ++c) v[c][i] = 0;
     }
@@ -194,8 +201,8 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
         if (!isGas(store, i)) continue;
         const auto cell = map_.cellOf(chains.at(i));
         const int d = map_.squaredDistance(cell);
-        if (map_.isEnclosed(cell)) continue;
-        goes[i] = d > sqr(width_ + hysteresis) || (ambient[i] > 0 && d > sqr(widthOfMotion_ - 1) && isPressed(i));
+        if (map_.isEnclosed(cell) && !isHeld(store, i)) continue;
+        goes[i] = d > sqr(width_ + hysteresis) || (ambient[i] > 0 && d > sqr(widthOfMotion_ - 1) && !isHeld(store, i) && isPressed(i));
     }
     // Of a block whose particles are too many for the volume that they fill, the most crowded go.
     for (auto& [block, gas] : blocks(store, chains, owned))
@@ -208,8 +215,8 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
     kept.reserve(owned);
     double gone = 0;
     for (std::size_t i = 0; i < owned; ++i)
-        if (goes[i]) gone += m[i];
-        else kept.push_back(int(i));
+        if (!goes[i]) kept.push_back(int(i));
+        else if (!isHeld(store, i)) gone += m[i];
     gone_ += ofAllRanks(gone, 0.0, Add{});
     if (kept.size() == owned) return owned;
     // Volumes are asked for below, and no state.
@@ -239,7 +246,8 @@ template<int dim> std::vector<std::size_t> GasBand<dim>::bareCells(const Chains&
     std::vector<std::size_t> candidates;
     for (std::size_t c = 0; c < map_.cells(); ++c)
         if (const int d = map_.squaredDistance(c);
-            map_.isRoom(c) && d > sqr(widthOfMotion_) && (map_.isEnclosed(c) ? map_.isClosing(c) : d <= sqr(width_)))
+            map_.isHeldUnseen(c) ? d > 1 && d <= sqr(width_)
+                                 : map_.isRoom(c) && d > sqr(widthOfMotion_) && (map_.isEnclosed(c) ? map_.isClosing(c) : d <= sqr(width_)))
             candidates.push_back(c);
     return clear(candidates, chains, leastGapOfStanding);
 }
@@ -303,7 +311,7 @@ auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, st
     const double* const ambient = store.component(Ambient::info.name, 0);
     for (std::size_t i = 0; i < owned; ++i)
     {
-        if (!Ambient::isMoving(ambient[i])) continue;
+        if (!Ambient::isMoving(ambient[i]) || isHeld(store, i)) continue;
         const auto cell = map_.cellOf(chains.at(i));
         if (map_.squaredDistance(cell) <= sqr(freeWidth_)) continue;
         auto& block = all[map_.blockOf(cell, cellsOfBlock)];
@@ -341,7 +349,7 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
             values[name] = all == 0 ? 0 : sum(owned, [&](std::size_t i) { return isGas(store, i) ? q[i] : 0.0; }) / double(all);
         }
     }
-    joined_ += double(cells.size()) * values.at(Mass::info.name);
+    joined_ += double(std::ranges::count_if(cells, [&](std::size_t c) { return map_.isRoom(c); })) * values.at(Mass::info.name);
     if (!isFirstRank()) return owned;
     store.resize(owned + cells.size()); // what is new is 0
     const auto x = store.pointers(Position{});
@@ -350,6 +358,7 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
         const std::size_t i = owned + q;
         sph::store(in<dim>(map_.centre(cells[q])), [&](int c, double value) { x[c][i] = value; });
         for (const auto& [name, value] : values) store.component(name, 0)[i] = value;
+        if (hasOpenings_) store.component(Holder::info.name, 0)[i] = map_.isRoom(cells[q]) ? 0 : Holder::unknown;
         for (const auto& evolving : settings.state)
             for (int c = 0; store.has(evolving.startName()) && c < evolving.value.in(dim); ++c)
                 store.component(evolving.startName(), c)[i] = store.component(evolving.value.name, c)[i];
@@ -369,8 +378,8 @@ template<int dim> std::string GasBand<dim>::introduction() const
 template<int dim> std::string GasBand<dim>::report(const Particles<dim>&) const
 {
     const double before = start_.value_or(0) + joined_ - gone_;
-    return fmt::format("gas: {} particles, {:.4g} kg joined, {:.4g} kg gone, balance off by {:.2g}{}\n", now_, joined_, gone_,
-                       mass_ > 0 ? std::fabs(mass_ - before) / mass_ : 0.0,
+    return fmt::format("gas: {} particles, {:.4g} kg joined, {:.4g} kg gone{}{}\n", now_, joined_, gone_,
+                       hasOpenings_ ? "" : fmt::format(", balance off by {:.2g}", mass_ > 0 ? std::fabs(mass_ - before) / mass_ : 0.0),
                        map_.pockets() > 0 ? fmt::format(", {} enclosed", map_.pockets()) : "");
 }
 

@@ -5,6 +5,7 @@
 ///    ambient (AmbientGas.hpp), and stands still in the outer support of the band.
 ///  * Places of a cubic lattice in the part that stands still are filled where no particle is nearer than 0.9 spacings. A region that liquid has just enclosed is
 ///    filled likewise, and keeps its gas from then on.
+///  * What openings hold is theirs: it goes where it is as far from the liquid, and beyond outlets, out of the scene's sight, gaps are filled as above.
 ///  * Of ambient gas that moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
 #pragma once
 #include "models/gas/LiquidMap.hpp"
@@ -20,12 +21,13 @@ template<int dim> class GasBand final : public RunningModel<dim>
 {
 public:
     /// `width` of the band [supports]; `gas`: number of its phase.
-    GasBand(Particles<dim>&, const Numbers& restored, std::size_t gas, double width);
+    GasBand(Particles<dim>&, const Numbers& restored, std::size_t gas, double width, const SceneEnds&);
 
     std::vector<Stage<dim>> stages(JoinPoint) override;
     std::string introduction() const override;
     std::string report(const Particles<dim>&) const override;
     void save(Numbers&) const override;
+    double letIn(std::size_t phase) const override { return phase == gas_ ? joined_ - gone_ : 0; }
     std::size_t bytes() const override { return map_.bytes(); }
 
 private:
@@ -35,13 +37,14 @@ private:
     double spacing_;
     double width_, widthOfMotion_, freeWidth_; ///< of the band, of its part that moves, and of that which is not ambient [spacings]
     double restVolume_;                        ///< of a particle [m^d]
-    bool solvesPressure_, knowsVolumes_ = false;
+    bool solvesPressure_, hasOpenings_, knowsVolumes_ = false;
     double joined_ = 0, gone_ = 0; ///< mass since the first start [kg]
     std::size_t now_ = 0;          ///< particles of the gas, when last exchanged
     std::optional<double> start_;  ///< mass of the gas after the first exchange, less what has joined and gone before it [kg]
     double mass_ = 0;              ///< of the gas after the last exchange [kg]
 
     bool isGas(const FieldStore<dim>&, std::size_t i) const;
+    bool isHeld(const FieldStore<dim>&, std::size_t i) const;
     double volumeOver(const FieldStore<dim>&, std::size_t i) const;
     void exchange(Particles<dim>&);
     /// Removes gas from beyond the band and where it is crowded, and returns how many particles there are now.

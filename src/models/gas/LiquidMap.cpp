@@ -12,14 +12,15 @@ namespace
 constexpr double leastFromWall = 0.45;
 }
 
-LiquidMap::LiquidMap(const Geometry& geometry, double spacing) : LiquidDistance(geometry, spacing)
+LiquidMap::LiquidMap(const Geometry& geometry, double spacing, const SceneEnds& ends) : LiquidDistance(geometry, spacing)
 {
     for (auto* each : {&enclosed_, &wasOpen_, &place_}) each->resize(cells());
 #pragma omp parallel for schedule(dynamic, 1024)
     for (std::size_t c = 0; c < cells(); ++c)
     {
-        const double d = geometry.distance(centre(c));
-        place_[c] = d < 0 ? solid : d < leastFromWall * spacing ? besideWall : room;
+        const double d = geometry.distance(centre(c)), s = ends.distance ? ends.distance(centre(c)) : d, least = leastFromWall * spacing;
+        const bool isHeld = -s >= ends.sight && -s < ends.depth && d >= least && ends.isBeyondOutlet(centre(c));
+        place_[c] = d < 0 ? solid : std::min(d, s) >= least ? room : isHeld ? heldUnseen : besideWall;
     }
 }
 

@@ -3,14 +3,23 @@
 /// Gas is enclosed where its cells, joined by their faces, do not lead to the largest such region; what is narrower than three cells between liquids or a liquid and a wall leads nowhere.
 #pragma once
 #include "models/gas/LiquidDistance.hpp"
+#include <functional>
 
 namespace sph
 {
 
+/// The planes of openings, at which a scene ends; without a distance it has none.
+struct SceneEnds
+{
+    std::function<double(const Vector<3>&)> distance = {};     ///< of a point from their planes, < 0 beyond them [m]
+    std::function<bool(const Vector<3>&)> isBeyondOutlet = {}; ///< whether the plane is that of an outlet, which holds what leaves
+    double sight = 0, depth = 0;                               ///< how far beyond a plane the scene sees, and particles are held [m]
+};
+
 class LiquidMap : public LiquidDistance
 {
 public:
-    LiquidMap(const Geometry&, double spacing);
+    LiquidMap(const Geometry&, double spacing, const SceneEnds& = {});
 
     /// Distances as far as `reach` [spacings], and what is enclosed. All ranks must call it.
     void measure(double reach);
@@ -20,8 +29,10 @@ public:
     bool isEnclosed(std::size_t cell) const { return enclosed_[cell] != 0; }
     /// Enclosed now, and not when last measured.
     bool isClosing(std::size_t cell) const { return enclosed_[cell] != 0 && wasOpen_[cell] != 0; }
-    /// Whether a particle may stand at the centre of a cell: not within half a spacing of a wall.
+    /// Whether a particle may stand at the centre of a cell: not within half a spacing of a wall or of the plane of an opening, nor beyond that.
     bool isRoom(std::size_t cell) const { return place_[cell] == room; }
+    /// Whether an outlet may hold a particle there that the scene does not see: beyond its plane, farther than the kernel reaches and no farther than is held.
+    bool isHeldUnseen(std::size_t cell) const { return place_[cell] == heldUnseen; }
     /// Number of enclosed regions.
     int pockets() const { return pockets_; }
     /// Calls f(cell) for a cell and all that touch it.
@@ -34,7 +45,8 @@ private:
     enum Place : std::uint8_t
     {
         room,
-        besideWall,
+        besideWall, ///< or near the plane of an opening, or beyond what it holds
+        heldUnseen,
         solid
     };
     std::vector<std::uint8_t> enclosed_, wasOpen_, place_;

@@ -1,4 +1,5 @@
 #include "models/gas/gas.hpp"
+#include "geometry/OpenEnds.hpp"
 #include "geometry/makeWallLayers.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include "models/gas/CalmGas.hpp"
@@ -102,6 +103,22 @@ void slowGas(const Reading& reading, double rate)
     settings.runningModels.push_back(running<GasFriction>(gas, rate));
 }
 
+/// The planes of the openings of a case.
+SceneEnds openingsOf(const Reading& reading)
+{
+    const auto& settings = reading.settings;
+    if (!settings.facts.get<OpenBoundary>().exists) return {};
+    const auto ends = std::make_shared<const OpenEnds>(reading.theCase, reading.geometry, settings.resolution);
+    const double support = settings.coefficients.support;
+    return {[ends](const Vector<3>& x) { return ends->distance(x); },
+            [ends](const Vector<3>& x)
+            {
+                const auto* const plane = ends->nearest(x).first;
+                return plane && !plane->inlet;
+            },
+            support, settings.facts.get<ForceReach>().supports * support};
+}
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -109,8 +126,9 @@ void read(const Reading& reading)
     if (const double rate = entry::gasFriction(reading.schemes); rate > 0) slowGas(reading, rate);
     if (inPart < 0 && calm < 0) return;
     reading.select(settings.force("ambientPressure", gasTerms<2>(), gasTerms<3>()));
-    settings.runningModels.push_back(inPart < 0 ? running<CalmGas>(std::size_t(calm))
-                                                : running<GasBand>(std::size_t(inPart), entry::gasBand(reading.schemes)));
+    settings.runningModels.push_back(inPart < 0
+                                         ? running<CalmGas>(std::size_t(calm))
+                                         : running<GasBand>(std::size_t(inPart), entry::gasBand(reading.schemes), openingsOf(reading)));
 }
 
 bool isInPart(const Settings& settings) { return settings.facts.get<PhaseInPart>().phase >= 0; }
@@ -141,9 +159,6 @@ const Model& gasModel()
           [](const Settings& s)
           { return (isInPart(s) || isCalm(s)) && (!s.facts.get<PressureForce>().hasEnergy() || s.facts.get<IntegratedDensity>().exists); },
           "band and calm go with `density numberDensity` and `pressureGradient huAdams`"},
-         {"gas", [](const Settings& s) { return isInPart(s) && s.facts.get<OpenBoundary>().exists; },
-          "band is for scenes without constant/openings: gas that stands behind their planes, and liquid that passes them through it, stirred one another; "
-          "take `gas whole;`"},
          {"gas",
           [](const Settings& s) { return isCalm(s) && !(s.coefficients.backgroundPressure > 0) && s.facts.get<LonePhase>().phase < 0; },
           "calm leaves out a backgroundPressure above 0, and there is none"},

@@ -6,7 +6,8 @@ namespace sph
 
 template<int dim> Catalogue<dim> gasTerms()
 {
-    return catalogue<dim, NumberDensityOrRest, GradientNormalisationOrRest, TaitOfPhaseOrAmbient, AmbientPressure>();
+    return catalogue<dim, NumberDensityOrRest, GradientNormalisationOrRest, TaitOfPhaseOrAmbient, TaitOfPhaseOrHeldOrAmbient,
+                     AmbientPressure>();
 }
 
 template Catalogue<2> gasTerms<2>();

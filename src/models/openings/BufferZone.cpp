@@ -91,12 +91,13 @@ template<int dim> std::size_t BufferZone<dim>::exchange(FieldStore<dim>& store, 
 template<int dim> void BufferZone<dim>::locate(FieldStore<dim>& store, std::size_t owned)
 {
     const auto x = store.pointers(Position{});
-    const double* const holder = store.component(Holder::info.name, 0);
+    double* const holder = store.component(Holder::info.name, 0);
     const double reach = scene_.coefficients.support + spareDepth * scene_.coefficients.spacing;
     close_.clear();
     for (std::size_t i = 0; i < owned; ++i)
     {
         const auto x_i = in3D(valueAt<Vector<dim>>(x, i));
+        if (holder[i] == Holder::unknown) holder[i] = holderOf(x_i);
         if (holder[i] > 0 ||
             std::ranges::any_of(placed_, [&](const PlacedOpening& each) { return std::fabs(each.opening.distance(x_i)) < reach; }))
             close_.push_back(int(i));

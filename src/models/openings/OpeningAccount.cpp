@@ -237,7 +237,7 @@ template<int dim> double OpeningAccount<dim>::freeAmount(const FieldStore<dim>& 
     return sum(store.owned(), [&, amount = amountsOf(store, fraction)](std::size_t i) { return holder[i] > 0 ? 0.0 : amount(i); });
 }
 
-template<int dim> Imbalance OpeningAccount<dim>::imbalance(const FieldStore<dim>& store) const
+template<int dim> Imbalance OpeningAccount<dim>::imbalance(const FieldStore<dim>& store, const std::vector<double>& letIn) const
 {
     const auto all = ofAll();
     const auto relative = [&](double now, double start, const auto& passed)
@@ -254,8 +254,8 @@ template<int dim> Imbalance OpeningAccount<dim>::imbalance(const FieldStore<dim>
     Imbalance off;
     const auto free = freeMass(store);
     for (std::size_t k = 0; k < free.size(); ++k)
-        off.mass.push_back(
-            relative(free[k], startMass_[k], [&](const Passed& passed, const Taken& taken) { return passed.mass[k] - taken.mass[k]; }));
+        off.mass.push_back(relative(free[k], startMass_[k] + (letIn.empty() ? 0 : letIn[k]),
+                                    [&](const Passed& passed, const Taken& taken) { return passed.mass[k] - taken.mass[k]; }));
     for (std::size_t q = 0; q < counted_.size(); ++q)
         off.amounts.push_back(relative(freeAmount(store, *counted_[q]), startAmounts_[q] - all.heldAmounts[q],
                                        [&](const Passed& passed, const Taken& taken) { return passed.amounts[q] - taken.amounts[q]; }));

@@ -85,7 +85,8 @@ public:
     /// Names of the amounts that are counted.
     const std::vector<std::string>& amounts() const { return amountNames_; }
     std::vector<Flow> flows() const;
-    Imbalance imbalance(const FieldStore<dim>&) const;
+    /// `letIn`: mass of each phase that others have let into the scene since the first start, less what they have taken out [kg]; none by default.
+    Imbalance imbalance(const FieldStore<dim>&, const std::vector<double>& letIn = {}) const;
     /// Volume at rest density that has come in, less that which has left [m^3].
     double volume() const;
     /// Adds the numbers of a restart, those of all ranks together.

@@ -54,7 +54,10 @@ public:
     const OpeningAccount<dim>& account() const { return account_; }
     void countEnergy() { account_.countEnergy(); }
     std::vector<Flow> flows() const { return account_.flows(); }
-    Imbalance imbalance(const FieldStore<dim>& store) const { return account_.imbalance(store); }
+    Imbalance imbalance(const FieldStore<dim>& store, const std::vector<double>& letIn = {}) const
+    {
+        return account_.imbalance(store, letIn);
+    }
     /// Power of the inflow upon the fluid, Q (p + rho u^2/2) [W]; never negative.
     double power() const;
     /// Numbers of a restart, by name.

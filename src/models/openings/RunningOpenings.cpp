@@ -26,7 +26,7 @@ RunningOpenings<dim>::RunningOpenings(Particles<dim>& particles, const Numbers& 
 
 template<int dim> std::vector<Stage<dim>> RunningOpenings<dim>::stages(JoinPoint place)
 {
-    const auto hold = [this](Particles<dim>& p) { p.hold({openings_.held().begin(), openings_.held().end()}); };
+    const auto hold = [this](Particles<dim>& p) { p.hold(*this, {openings_.held().begin(), openings_.held().end()}); };
     if (place == JoinPoint::exchange)
         return {{"let in and out", "particles beyond planes come, go, and are held",
                  [this](Particles<dim>& p, const Substep&) { p.setSize(openings_.exchange(p.store(), p.size(), p.predicted())); }}};
@@ -100,7 +100,10 @@ template<int dim> std::string RunningOpenings<dim>::report(const Particles<dim>&
                         flow.asked ? fmt::format(" for {:.6g} asked", *flow.asked) : "", flow.pressure, ofPhases(flow.mass, "{:.10g} kg"),
                         with, sumOf(flow.taken) > 0 ? fmt::format(", took away {} at the start", ofPhases(flow.taken, "{:.10g} kg")) : "");
     }
-    const auto off = openings_.imbalance(particles.store());
+    std::vector<double> letIn(phases_.size(), 0.0);
+    for (const auto& model : particles.runningModels())
+        for (std::size_t k = 0; k < letIn.size(); ++k) letIn[k] += model->letIn(k);
+    const auto off = openings_.imbalance(particles.store(), letIn);
     lines += "balance: mass off by " + ofPhases(off.mass, "{:.2g}");
     for (std::size_t q = 0; q < names.size(); ++q) lines += fmt::format(", {} by {:.2g}", names[q], off.amounts[q]);
     if (phases_.size() > 1) lines += fmt::format(", volume let in {:.6g} m^3", openings_.account().volume());

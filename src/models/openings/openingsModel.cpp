@@ -59,6 +59,15 @@ void read(const Reading& reading)
                 fmt::format("opening \"{}\" needs particles that move, which integration scheme quasiSteady leaves where they "
                             "are; take semiImplicit",
                             opening.name));
+    const int gas = settings.facts.get<PhaseInPart>().phase;
+    for (const auto& opening : openings)
+        if (gas >= 0 && opening.inlet && opening.brings(std::size_t(gas)))
+            reading.theCase.diagnostics().error(
+                opening.where,
+                fmt::format(
+                    "opening \"{}\" lets {} in, which `gas band;` of system/sphSchemes keeps within some supports of the liquid alone: what "
+                    "drives a gas needs all of it, `gas whole;`",
+                    opening.name, settings.coefficients.phases[std::size_t(gas)]));
     if (std::ranges::any_of(openings, [](const Opening& opening) { return opening.markFrom.has_value(); }))
         settings.state.push_back(mark());
     if (!openings.empty()) settings.runningModels.push_back(running<RunningOpenings>(openings));

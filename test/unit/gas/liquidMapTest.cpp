@@ -61,5 +61,26 @@ TEST(LiquidMap, FindsWhatIsEnclosedAndWhatHasJustBeen)
     EXPECT_FALSE(map.isClosing(middle)) << "it has been enclosed before";
 }
 
+// The plane of an opening at y = 20: gas may join before it, be held where the scene does not see it, and stand nowhere else.
+TEST(LiquidMap, KnowsWhatOpeningsHoldUnseen)
+{
+    const auto geometry = square();
+    const LiquidMap map(geometry, 1, {[](const Vector<3>& x) { return x.y - 20; }, [](const Vector<3>& x) { return x.x > 10; }, 3, 8});
+    const auto is = [&](double y, double x = 20.5)
+    {
+        const auto cell = map.cellOf({x, y, 0});
+        return std::pair{map.isRoom(cell), map.isHeldUnseen(cell)};
+    };
+    EXPECT_EQ(is(20.5), std::pair(true, false));
+    EXPECT_EQ(is(19.5), std::pair(false, false)) << "the scene sees it";
+    EXPECT_EQ(is(17.5), std::pair(false, false));
+    EXPECT_EQ(is(16.5), std::pair(false, true));
+    EXPECT_EQ(is(12.5), std::pair(false, true));
+    EXPECT_EQ(is(12.5, 5.5), std::pair(false, false)) << "beyond an inlet";
+    EXPECT_EQ(is(11.5), std::pair(false, false)) << "farther than is held";
+    const LiquidMap closed(geometry, 1);
+    EXPECT_TRUE(closed.isRoom(closed.cellOf({20.5, 11.5, 0})));
+}
+
 }
 }

@@ -44,7 +44,7 @@ TEST(Plan, AsksWhereSeveralCouldProvide)
 {
     EXPECT_EQ(
         errorOf({"huAdamsPressure"}, {"m"}),
-        "term \"huAdamsPressure\" reads \"p\": select one of taitOfPhaseOrAmbient, tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld, meanPressure");
+        "term \"huAdamsPressure\" reads \"p\": select one of taitOfPhaseOrAmbient, taitOfPhaseOrHeldOrAmbient, tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld, meanPressure");
 }
 
 // The curvature form needs three more sums, which nobody selected: their one provider each is added, and the log says for whom. Of the gradient of
