@@ -1,7 +1,7 @@
 /// The concept of a term, and the loop that runs it. Physics is the functor; looping, vector lanes and memory are here, once.
 ///
 ///   pair term   operator()(ij, i, j)     summed over the stencil of i;   Reads at i and j, ReadsOwn at i alone (costs no gather)
-///               finish(i, sum)           optional: what the sum means
+///               finish(i, sum)           optional: what the sum means;        isNothingAt(i) optional: 0 by its own values, neighbours are not looked at
 ///               sweeps()                 optional: how many sums; then operator()(ij, i, j, sweep), finish(i, sum, sweep), added up
 ///   local law   operator()(i)            one particle at a time;         ReadsOwn
 ///               operator()(i, dt)        ... that Advances a state by dt [s], in as many substeps as it likes
