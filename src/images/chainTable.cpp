@@ -13,6 +13,8 @@ bool isAcute(const Vector<3>& n, const Vector<3>& m)
     const double cosine = -dot(n, m);
     return cosine > 0.26 && cosine < 0.97;
 }
+/// Whether two images count as one place.
+bool coincide(const Chain& a, const Chain& b, double spacing) { return mag(a.x - b.x) < 0.25 * spacing; }
 }
 
 // clang-format off
@@ -61,7 +63,7 @@ bool hasTwin(const Chain& chain, std::span<const Chain> others, double spacing, 
                                {
                                    return other.reflections == chain.reflections &&
                                           (!inSame || std::ranges::is_permutation(other.used(), chain.used())) &&
-                                          mag(other.x - chain.x) < 0.25 * spacing;
+                                          coincide(other, chain, spacing);
                                });
 }
 
@@ -69,7 +71,7 @@ bool pilesUp(const Chain& chain, std::span<const Chain> others, double spacing)
 {
     return others.size() > mostInCorners &&
            std::ranges::any_of(others, [&](const Chain& other)
-                               { return other.reflections < chain.reflections && mag(other.x - chain.x) < 0.25 * spacing; });
+                               { return other.reflections < chain.reflections && coincide(other, chain, spacing); });
 }
 
 }

@@ -28,7 +28,7 @@ GasBand<dim>::GasBand(Particles<dim>& particles, const Numbers& restored, std::s
       freeWidth_(std::min(mostFree, widthOfMotion_ - 1)),
       restVolume_(std::pow(spacing_, dim)),
       solvesPressure_(particles.settings().integration.solvesPressure),
-      hasOpenings_(bool(ends.distance))
+      hasOpenings_(bool(ends.nearest))
 {
     const auto restore = [&](const char* name, auto& value)
     {

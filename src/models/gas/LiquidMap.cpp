@@ -18,8 +18,9 @@ LiquidMap::LiquidMap(const Geometry& geometry, double spacing, const SceneEnds& 
 #pragma omp parallel for schedule(dynamic, 1024)
     for (std::size_t c = 0; c < cells(); ++c)
     {
-        const double d = geometry.distance(centre(c)), s = ends.distance ? ends.distance(centre(c)) : d, least = leastFromWall * spacing;
-        const bool isHeld = -s >= ends.sight && -s < ends.depth && d >= least && ends.isBeyondOutlet(centre(c));
+        const double d = geometry.distance(centre(c)), least = leastFromWall * spacing;
+        const auto [plane, s] = ends.nearest ? ends.nearest(centre(c)) : std::pair<const OpenPlane*, double>{nullptr, Box::infinity};
+        const bool isHeld = plane && !plane->inlet && -s >= ends.sight && -s < ends.depth && d >= least;
         place_[c] = d < 0 ? solid : std::min(d, s) >= least ? room : isHeld ? heldUnseen : besideWall;
     }
 }

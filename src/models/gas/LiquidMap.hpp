@@ -2,18 +2,19 @@
 ///
 /// Gas is enclosed where its cells, joined by their faces, do not lead to the largest such region; what is narrower than three cells between liquids or a liquid and a wall leads nowhere.
 #pragma once
+#include "geometry/OpenPlane.hpp"
 #include "models/gas/LiquidDistance.hpp"
 #include <functional>
 
 namespace sph
 {
 
-/// The planes of openings, at which a scene ends; without a distance it has none.
+/// The planes of openings, at which a scene ends; it has none where nobody knows the nearest.
 struct SceneEnds
 {
-    std::function<double(const Vector<3>&)> distance = {};     ///< of a point from their planes, < 0 beyond them [m]
-    std::function<bool(const Vector<3>&)> isBeyondOutlet = {}; ///< whether the plane is that of an outlet, which holds what leaves
-    double sight = 0, depth = 0;                               ///< how far beyond a plane the scene sees, and particles are held [m]
+    std::function<std::pair<const OpenPlane*, double>(const Vector<3>&)> nearest =
+        {};                      ///< the nearest plane to a point, and the distance from it, < 0 beyond it [m]
+    double sight = 0, depth = 0; ///< how far beyond a plane the scene sees, and particles are held [m]
 };
 
 class LiquidMap : public LiquidDistance

@@ -110,13 +110,7 @@ SceneEnds openingsOf(const Reading& reading)
     if (!settings.facts.get<OpenBoundary>().exists) return {};
     const auto ends = std::make_shared<const OpenEnds>(reading.theCase, reading.geometry, settings.resolution);
     const double support = settings.coefficients.support;
-    return {[ends](const Vector<3>& x) { return ends->distance(x); },
-            [ends](const Vector<3>& x)
-            {
-                const auto* const plane = ends->nearest(x).first;
-                return plane && !plane->inlet;
-            },
-            support, settings.facts.get<ForceReach>().supports * support};
+    return {[ends](const Vector<3>& x) { return ends->nearest(x); }, support, settings.facts.get<ForceReach>().supports * support};
 }
 
 void read(const Reading& reading)

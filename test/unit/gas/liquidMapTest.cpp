@@ -65,7 +65,9 @@ TEST(LiquidMap, FindsWhatIsEnclosedAndWhatHasJustBeen)
 TEST(LiquidMap, KnowsWhatOpeningsHoldUnseen)
 {
     const auto geometry = square();
-    const LiquidMap map(geometry, 1, {[](const Vector<3>& x) { return x.y - 20; }, [](const Vector<3>& x) { return x.x > 10; }, 3, 8});
+    OpenPlane inlet, outlet;
+    outlet.inlet = false;
+    const LiquidMap map(geometry, 1, {[&](const Vector<3>& x) { return std::pair(x.x > 10 ? &outlet : &inlet, x.y - 20); }, 3, 8});
     const auto is = [&](double y, double x = 20.5)
     {
         const auto cell = map.cellOf({x, y, 0});

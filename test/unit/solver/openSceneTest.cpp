@@ -89,6 +89,17 @@ TEST(OpenScene, LayersComeInAndLeaveTogether) { layersComeInAndLeaveTogether("se
 // In 44 to 50 steps in place of 1177 to 3654, the last of them 1.5 to 4.2 % off.
 TEST(OpenScene, LayersComeInAndLeaveTogetherByImplicitSteps) { layersComeInAndLeaveTogether("implicit", "15", 0.06); }
 
+/// Runs `whole` without a stop, and `half`, which ends earlier, on from there by the controlDict of `whole`: the same bytes at `end` are expected. Returns the log of `whole`.
+std::string runWholeAndInHalves(const TestCase& whole, const TestCase& half, const std::string& end)
+{
+    packAndRun(half);
+    const auto log = packAndRun(whole);
+    half.write("system/controlDict", whole.read("system/controlDict"));
+    half.runWell("sphFoamLike", "", 1);
+    EXPECT_EQ(difference(whole.files(end), half.files(end)), "");
+    return log;
+}
+
 // 0.12 m^3/s drips into gas for a second: as much leaves as comes in, to a row of particles across the drain, and the restarted run has the same bytes.
 void gasMakesRoomForWhatDripsIn(const std::string& scheme)
 {
@@ -99,14 +110,9 @@ void gasMakesRoomForWhatDripsIn(const std::string& scheme)
     auto& openings = files["constant/openings"];
     openings.insert(openings.find("phase water;"), "markFrom 0.1; ");
     const TestCase half(files);
-    packAndRun(half);
-    auto& longer = files["system/controlDict"];
-    longer.replace(longer.find("endTime 0.5"), 11, "endTime 1");
+    control.replace(control.find("endTime 0.5"), 11, "endTime 1");
     const TestCase whole(files);
-    const auto log = packAndRun(whole);
-    half.write("system/controlDict", files["system/controlDict"]);
-    half.runWell("sphFoamLike", "", 1);
-    EXPECT_EQ(difference(whole.files("1"), half.files("1")), "");
+    const auto log = runWholeAndInHalves(whole, half, "1");
     EXPECT_NE(whole.read("1/uniform/sphState").find("drip1Marked"), std::string::npos);
     const auto passed = log.substr(log.rfind("drip1: "));
     EXPECT_NEAR(std::stod(passed.substr(passed.find("passed ") + 7)), 100 * 0.12, 0.3 * 0.05 * 100);
@@ -161,14 +167,9 @@ TEST(OpenScene, BandOfGasFollowsWhatDripsIn)
     control.replace(control.find("0.08"), 4, "1.5");
     control.replace(control.find("0.02"), 4, "0.5");
     const TestCase half(files);
-    packAndRun(half);
-    auto& longer = files["system/controlDict"];
-    longer.replace(longer.find("endTime 1.5"), 11, "endTime 3");
+    control.replace(control.find("endTime 1.5"), 11, "endTime 3");
     const TestCase whole(files);
-    const auto log = packAndRun(whole);
-    half.write("system/controlDict", files["system/controlDict"]);
-    half.runWell("sphFoamLike", "", 1);
-    EXPECT_EQ(difference(whole.files("3"), half.files("3")), "");
+    const auto log = runWholeAndInHalves(whole, half, "3");
     EXPECT_NE(log.find(": drain, outlet of 1 m, 0 particles held"), std::string::npos) << "the water is far from it at the start";
     const auto balance = log.rfind("balance: mass off by ");
     ASSERT_NE(balance, std::string::npos);
