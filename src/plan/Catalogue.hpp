@@ -21,7 +21,7 @@ template<int dim> struct CatalogueEntry
 {
     std::string name;
     Over over;
-    bool provides, advances, readsKernel, ofRawGradient, bearsSingle;
+    bool provides, advances, readsKernel, ofRawGradient, bearsSingle, mayBeNothing;
     std::vector<FieldUse<dim>> results, reads, readsOwn;
     std::function<std::unique_ptr<Operation<dim>>(const Coefficients&, const Binding<dim>&)> bind;
     Names names; ///< of fields that are not called as their tags
@@ -41,6 +41,7 @@ template<int dim, class T, class Make> CatalogueEntry<dim> termEntry(std::string
             readsKernel<T>,
             ofRawGradient<T>,
             bearsSingle<T>,
+            mayBeNothing<T, dim>,
             uses<dim>(ResultsOf<T>{}, names),
             uses<dim>(ReadsOf<T>{}, names),
             uses<dim>(ReadsOwnOf<T>{}, names),

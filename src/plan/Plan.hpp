@@ -109,6 +109,7 @@ private:
         bool within = false, keepsWithin = false;     ///< reads the neighbours within the support that a pass before has kept; keeps them
         bool slopes = false, keepsSlopes = false;     ///< likewise (dW/dr)/r of their pairs, with all factors
         bool single = false;                          ///< gathers in single precision
+        bool leavesOut = false;                       ///< particles at which all of its terms are 0 by their own values
         bool pair() const { return entries[0]->over == Over::pairs; }
     };
     struct Passes

@@ -179,9 +179,6 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
     const auto units = images.placeUnits();
 
-    const bool leavesOut =
-        !pass.keepsWithin && !pass.keepsSlopes && std::ranges::all_of(pass.operations, [](const auto& o) { return o->mayBeNothing(); });
-
     // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     constexpr std::size_t ahead = 2;
     const auto over = [&](std::size_t n, const int* which, const auto& k)
@@ -192,7 +189,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             for (std::size_t place = begin; place < end; ++place)
             {
                 const std::size_t i = which ? std::size_t(which[place]) : place;
-                if (leavesOut && std::ranges::all_of(pass.operations, [&](const auto& o) { return o->isNothingAt(i); }))
+                if (pass.leavesOut && std::ranges::all_of(pass.operations, [&](const auto& o) { return o->isNothingAt(i); }))
                 {
                     for (const auto& o : pass.operations) o->clear(i);
                     continue;
@@ -322,6 +319,7 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
             if (pass.keepsWithin || pass.keepsSlopes) out << "\n          keeps     ";
             if (pass.keepsWithin) out << " neighbours";
             if (pass.keepsSlopes) out << " (dW/dr)/r" << (keepsSingleSlopes_ ? " in single precision" : "");
+            if (pass.leavesOut) out << "\n          leaves out particles where all terms are 0 by their own values";
             out << '\n';
         }
     }

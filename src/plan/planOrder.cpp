@@ -46,6 +46,10 @@ Plan<dim>::Plan(const Catalogue<dim>& catalogue, const std::vector<Group>& group
         }
     }
     keepPairs();
+    for (auto& g : groups_)
+        for (auto& pass : g.passes)
+            pass.leavesOut =
+                !pass.keepsWithin && !pass.keepsSlopes && std::ranges::all_of(pass.entries, [](const Entry* e) { return e->mayBeNothing; });
 }
 
 /// Neighbours are kept where a pass behind reads them; (dW/dr)/r, which takes eight bytes a pair, or four where a group bears it, where at least two passes do, or one that repeats. Raw and

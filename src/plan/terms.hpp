@@ -107,6 +107,7 @@ template<class T> constexpr bool bearsSingle = requires { T::bearsSingle; };
 
 template<class T, int dim, class Real = double> using OwnValues = Values<typename detail::Join<ReadsOf<T>, ReadsOwnOf<T>>::type, dim, Real>;
 template<class T, int dim, class Real = double> using NeighbourValues = Values<ReadsOf<T>, dim, Real>;
+template<class T, int dim> constexpr bool mayBeNothing = requires(const T& term, const OwnValues<T, dim>& i) { term.isNothingAt(i); };
 /// Value of one result; Values<...> of several.
 template<class T, int dim> using ResultValue = typename detail::ValueOf<ResultsOf<T>, dim>::type;
 
@@ -223,10 +224,8 @@ template<int dim> struct Operation
     virtual ~Operation() = default;
     virtual void gather(const Stencil<dim>&) const {}         ///< pair term: the particle stencil.i
     virtual void gather(const Stencil<dim, Single>&) const {} ///< likewise, of one that bears single precision
-    /// Pair term: whether it knows particles at which its sum is 0 without a look at their neighbours, whether it is so at one, and its result there.
-    virtual bool mayBeNothing() const { return false; }
-    virtual bool isNothingAt(std::size_t /*i*/) const { return false; }
-    virtual void clear(std::size_t /*i*/) const {}
+    virtual bool isNothingAt(std::size_t /*i*/) const { return false; } ///< pair term: its sum is 0 there without a look at its neighbours
+    virtual void clear(std::size_t /*i*/) const {}                      ///< its result is 0 there
     virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {} ///< local law: particles begin .. end - 1
     virtual void atWalls(const NearWalls&, std::size_t /*begin*/, std::size_t /*end*/) const {}   ///< wall law: likewise
 };
@@ -319,13 +318,9 @@ public:
         eachComponent(total, [&](int c, double q) { result_[c][stencil.i] = adds_ ? result_[c][stencil.i] + q : q; });
     }
 
-    bool mayBeNothing() const override
-    {
-        return requires(const T& term, const Own& i) { term.isNothingAt(i); };
-    }
     bool isNothingAt([[maybe_unused]] std::size_t i) const override
     {
-        if constexpr (requires(const T& term, const Own& own) { term.isNothingAt(own); })
+        if constexpr (mayBeNothing<T, dim>)
             return term_.isNothingAt(read<dim>(Own{}, [&](int k) { return own_[k][i]; }));
         else return false;
     }

@@ -267,6 +267,41 @@ TEST(Groups, FindNeighboursInSinglePrecision)
     EXPECT_EQ(log.str().find("single precision"), std::string::npos) << log.str();
 }
 
+/// d_i = sum_j a_j W_ij, of which a particle with z_i > 0.5 says that it is 0.
+struct SumWhereZIsSmall
+{
+    static constexpr auto name = "sumWhereZIsSmall";
+    using Provides = D;
+    using Reads = Fields<A>;
+    using ReadsOwn = Fields<Z>;
+    static constexpr bool readsKernel = true;
+    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.a * ij.W; }
+    bool isNothingAt(const auto& i) const { return i.z > 0.5; }
+};
+
+// A pass whose terms are 0 by a particle's own values does not look at the neighbours of that particle, has 0 there, and says so; a term that needs them at each particle keeps the pass
+// at all of them.
+TEST(Groups, LeaveOutParticlesThatAreNothingByThemselves)
+{
+    for (const bool alone : {true, false})
+    {
+        using Terms = std::vector<std::string>;
+        const auto terms = catalogue<2, SumWhereZIsSmall, OtherSum>();
+        Toy toy(torus(), terms, {{"first", alone ? Terms{"sumWhereZIsSmall"} : Terms{"sumWhereZIsSmall", "otherSum"}}}, Fields<A, Z>{});
+        for (std::size_t i = 0; i < toy.n; ++i) toy.of("z")[i] = i % 3 == 0 ? 1 : 0;
+        toy.evaluate("first");
+        for (std::size_t i = 0; i < toy.n; ++i)
+        {
+            const double all = toy.sum(i, [&](std::size_t j) { return toy.of("a")[j]; });
+            if (alone && i % 3 == 0) EXPECT_EQ(toy.of("d")[i], 0) << i;
+            else EXPECT_NEAR(toy.of("d")[i], all, 1e-12 * all) << i;
+        }
+        std::ostringstream log;
+        toy.plan.print(log, toy.store);
+        EXPECT_EQ(log.str().find("leaves out particles where all terms are 0 by their own values\n") != std::string::npos, alone) << log.str();
+    }
+}
+
 // A group with a kernel of its own sums over what that kernel reaches, farther than the scene's or less far, images too; groups behind it find the pairs of
 // the scene's kernel as they were.
 TEST(Groups, SeeNeighboursByAKernelOfTheirOwn)
