@@ -222,8 +222,8 @@ template<int dim> struct Binding
 template<int dim> struct Operation
 {
     virtual ~Operation() = default;
-    virtual void gather(const Stencil<dim>&) const {}         ///< pair term: the particle stencil.i
-    virtual void gather(const Stencil<dim, Single>&) const {} ///< likewise, of one that bears single precision
+    virtual void gather(const Stencil<dim>&) const {}                   ///< pair term: the particle stencil.i
+    virtual void gather(const Stencil<dim, Single>&) const {}           ///< likewise, of one that bears single precision
     virtual bool isNothingAt(std::size_t /*i*/) const { return false; } ///< pair term: its sum is 0 there without a look at its neighbours
     virtual void clear(std::size_t /*i*/) const {}                      ///< its result is 0 there
     virtual void evaluate(std::size_t /*begin*/, std::size_t /*end*/, double /*deltaT*/) const {} ///< local law: particles begin .. end - 1
@@ -320,8 +320,7 @@ public:
 
     bool isNothingAt([[maybe_unused]] std::size_t i) const override
     {
-        if constexpr (mayBeNothing<T, dim>)
-            return term_.isNothingAt(read<dim>(Own{}, [&](int k) { return own_[k][i]; }));
+        if constexpr (mayBeNothing<T, dim>) return term_.isNothingAt(read<dim>(Own{}, [&](int k) { return own_[k][i]; }));
         else return false;
     }
     void clear(std::size_t i) const override

@@ -267,15 +267,11 @@ TEST(Groups, FindNeighboursInSinglePrecision)
     EXPECT_EQ(log.str().find("single precision"), std::string::npos) << log.str();
 }
 
-/// d_i = sum_j a_j W_ij, of which a particle with z_i > 0.5 says that it is 0.
-struct SumWhereZIsSmall
+/// The sum of SmoothedA, of which a particle with z_i > 0.5 says that it is 0.
+struct SmoothedAWhereZIsSmall : SmoothedA
 {
-    static constexpr auto name = "sumWhereZIsSmall";
-    using Provides = D;
-    using Reads = Fields<A>;
+    static constexpr auto name = "smoothedAWhereZIsSmall";
     using ReadsOwn = Fields<Z>;
-    static constexpr bool readsKernel = true;
-    auto operator()(const auto& ij, const auto&, const auto& j) const { return j.a * ij.W; }
     bool isNothingAt(const auto& i) const { return i.z > 0.5; }
 };
 
@@ -286,8 +282,9 @@ TEST(Groups, LeaveOutParticlesThatAreNothingByThemselves)
     for (const bool alone : {true, false})
     {
         using Terms = std::vector<std::string>;
-        const auto terms = catalogue<2, SumWhereZIsSmall, OtherSum>();
-        Toy toy(torus(), terms, {{"first", alone ? Terms{"sumWhereZIsSmall"} : Terms{"sumWhereZIsSmall", "otherSum"}}}, Fields<A, Z>{});
+        const auto terms = catalogue<2, SmoothedAWhereZIsSmall, OtherSum>();
+        Toy toy(torus(), terms, {{"first", alone ? Terms{"smoothedAWhereZIsSmall"} : Terms{"smoothedAWhereZIsSmall", "otherSum"}}},
+                Fields<A, Z>{});
         for (std::size_t i = 0; i < toy.n; ++i) toy.of("z")[i] = i % 3 == 0 ? 1 : 0;
         toy.evaluate("first");
         for (std::size_t i = 0; i < toy.n; ++i)
@@ -298,7 +295,8 @@ TEST(Groups, LeaveOutParticlesThatAreNothingByThemselves)
         }
         std::ostringstream log;
         toy.plan.print(log, toy.store);
-        EXPECT_EQ(log.str().find("leaves out particles where all terms are 0 by their own values\n") != std::string::npos, alone) << log.str();
+        EXPECT_EQ(log.str().find("leaves out particles where all terms are 0 by their own values\n") != std::string::npos, alone)
+            << log.str();
     }
 }
 
