@@ -96,6 +96,8 @@ struct BoundaryDensityRate { static constexpr FieldInfo info{"drhodtByBoundary",
 struct ImageWeight         { static constexpr FieldInfo info{"volumeFactor", "1"};                      template<int dim, class Real = double> struct At { Real w; }; };
 /// 0 in the fluid and its periodic images, 1 + wall in a ghost (of the wall that it was mirrored in last, behind which it lies).
 struct GhostWall           { static constexpr FieldInfo info{"ghostWall", "1", Image::placed};                  template<int dim, class Real = double> struct At { Real wall; }; };
+/// Number of a particle's images among those last made (MadeImages::particles), and 1; 0: of none.
+struct ImagesMade          { static constexpr FieldInfo info{"imagesMade", "1"};                        template<int dim, class Real = double> struct At { Real number; }; };
 // clang-format on
 
 template<class... F> struct Fields

@@ -265,20 +265,20 @@ Foot FacetBody::withMargin(const Place& place, const Vector<3>& x, Hidden hidden
     return foot;
 }
 
-Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
+FacetBody::Place FacetBody::findFace(int& facet, const Vector<3>& x) const
 {
     const int mostMoves = 100;
     std::optional<Prism> over;
     for (int from = -1, move = 0; move < mostMoves; ++move)
     {
         over = prism(facet, x);
-        if (over && over->inside) return withMargin({facet, Lies::over, over->foot}, x, hidden);
+        if (over && over->inside) return {facet, Lies::over, over->foot};
         // Round the end of an edge the patch goes on to the far side, which x may be over as well: there it has another image.
         const auto& f = facets_[std::size_t(facet)];
         if (f.isCreased() && !flatPatch_[std::size_t(f.patch)])
             for (int edge = 0; edge < 3; ++edge)
                 if (f.edges[std::size_t(edge)] > EdgeKind::smooth)
-                    if (const auto p = strip(facet, edge, x); p && holds(*p)) return withMargin({facet, Lies::beside, p->foot}, x, hidden);
+                    if (const auto p = strip(facet, edge, x); p && holds(*p)) return {facet, Lies::beside, p->foot};
         // Over the neighbour that x has gone furthest to, where no edge is between.
         const auto l = over ? over->l : plane(facet, x).l;
         int next = -1;
@@ -294,8 +294,8 @@ Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
         facet = next;
     }
     const auto& f = facets_[std::size_t(facet)];
-    if (flatPatch_[std::size_t(f.patch)]) return withMargin({facet, Lies::beside, plane(facet, x).foot}, x, hidden);
-    if (!f.isCreased()) return withMargin({facet, Lies::over, (over ? *over : plane(facet, x)).foot}, x, hidden);
+    if (flatPatch_[std::size_t(f.patch)]) return {facet, Lies::beside, plane(facet, x).foot};
+    if (!f.isCreased()) return {facet, Lies::over, (over ? *over : plane(facet, x)).foot};
     // A point beyond the border of a curved patch: the search goes along the border to the edge whose strip x lies in.
     const auto l = over ? over->l : plane(facet, x).l;
     int edge = -1;
@@ -312,7 +312,7 @@ Foot FacetBody::mirror(int& facet, const Vector<3>& x, Hidden hidden) const
         turn = way;
         goAlongBorder(facet, edge, turn);
     }
-    return withMargin({facet, Lies::beside, foot}, x, hidden);
+    return {facet, Lies::beside, foot};
 }
 
 bool FacetBody::sees(const Vector<3>& x, int facet) const

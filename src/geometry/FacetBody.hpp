@@ -98,7 +98,9 @@ public:
         }
     }
     /// The foot of the mirror image of x in that face of the body that `facet`, which becomes the one that x is over, is a part of.
-    Foot mirror(int& facet, const Vector<3>& x, Hidden hidden = {}) const;
+    Foot mirror(int& facet, const Vector<3>& x, Hidden hidden = {}) const { return withMargin(findFace(facet, x), x, hidden); }
+    /// The same without its margin.
+    Foot footOnFace(int facet, const Vector<3>& x) const { return findFace(facet, x).foot; }
     /// Ahead of mirror(), of a body too large for any cache: the facet, and once that is there its corners.
     [[gnu::always_inline]] void prefetchFacet(int facet) const
     {
@@ -202,6 +204,8 @@ private:
     void goAlongBorder(int& facet, int& edge, int turn) const;
     void findMirrors(const Vector<3>& x, double reach, double behind, Hidden hidden, std::vector<Place>& found) const;
     Place placeOf(int facet, const Vector<3>& x, Hidden hidden) const;
+    /// Goes from facet to facet, and along the border of their patch, to where x is over the face.
+    Place findFace(int& facet, const Vector<3>& x) const;
     Foot withMargin(const Place&, const Vector<3>& x, Hidden hidden) const;
     /// Distance of y to a facet, and t_f(y), see above: infinite where y is in front of it.
     struct Claim

@@ -17,12 +17,11 @@ public:
     /// Patches that may be within reach of x, by index, ascending.
     std::span<const int> patches(const Vector<3>& x) const { return grid_.near(x); }
 
-    /// Calls f(foot, patch) for each patch that may be within reach of x, also where an edge or a vertex is the nearest place of the
-    /// patch and there is no image, but not where that place lies in another solid.
-    template<class F> void forEachFoot(const Vector<3>& x, const F& f) const
+    /// Calls f(foot, patch) for each patch within `reach` [m] of x, no more than images are, also where an edge or a vertex is the nearest place of the
+    /// patch and there is no image, but not where that place lies in another solid. In meshes a search takes as long as its reach is wide.
+    template<class F> void forEachFoot(const Vector<3>& x, double reach, const F& f) const
     {
-        sph::forEachFoot(*geometry_, patches(x), x, Box::infinity,
-                         [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
+        sph::forEachFoot(*geometry_, patches(x), x, reach, [&](const Foot& foot, int p) { f(foot, geometry_->patches[std::size_t(p)]); });
     }
 
     /// The narrowest crevice at x among those narrower than `narrowest` [m].

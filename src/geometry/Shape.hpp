@@ -103,6 +103,8 @@ class Shape
 public:
     virtual ~Shape() = default;
     virtual Foot foot(const Vector<3>& x) const = 0;
+    /// Signed distance [m]; may be infinite where the surface is no nearer than `within`.
+    virtual double distance(const Vector<3>& x, double /*within*/) const { return foot(x).distance; }
     /// Whether a point of the surface lies in or on another solid.
     using Covered = std::function<bool(const Vector<3>&)>;
     /// The foot on the face of the given normal, for a shape with faces. A face goes on beyond those of its edges that are covered at the place

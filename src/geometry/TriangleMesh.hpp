@@ -28,6 +28,7 @@ public:
     Vector<3> local(const Vector<3>& x) const { return x - offset_; }
 
     Foot foot(const Vector<3>& x) const override { return body_->foot(local(x)); }
+    double distance(const Vector<3>& x, double within) const override { return body_->foot(local(x), within).distance; }
     Box bounds() const override { return {body_->bounds().low + offset_, body_->bounds().high + offset_}; }
     double smallestRadius() const override { return body_->smallestRadius(); }
     bool hasEdges() const override { return true; }

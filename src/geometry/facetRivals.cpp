@@ -63,8 +63,8 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
     const double grain = finest * scale_.spacing;
     if (std::isinf(own.t)) return -Box::infinity; // in front of the face: no place of its
     double toFront = Box::infinity, toBack = own.D;
-    const double faded = std::numbers::sqrt2 * scale_.spacing;
-    double least = own.t + faded;
+    const double faded = std::numbers::sqrt2 * scale_.spacing, whole = 0.5 * faded; // of margins of -1 and 0.5 spacings (faceShare)
+    double least = own.t + whole;
     // The difference between two facets counts the more the less their normals differ; a share that has faded out is 0 whatever the difference is.
     const auto rival = [&](int t)
     {
@@ -94,7 +94,7 @@ double FacetBody::margin(int facet, const Vector<3>& y, Claim own, bool extended
                   });
     // A place that lies in the fluid belongs to no facet.
     if (toFront <= toBack * (1 + 1e-9))
-        if (const double s = distance(y); s > 0) return -s - own.t;
+        if (const double s = foot(y, toFront * (1 + 1e-9)).distance; s > 0) return -s - own.t;
     return (least - own.t) / std::numbers::sqrt2;
 }
 

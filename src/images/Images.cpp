@@ -5,48 +5,102 @@
 #include "parallel/reduce.hpp"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sph
 {
 
 template<int dim>
-Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin, Halo<dim>* halo, double reachOfWalls)
-    : walls_(geometry, reach, spacing, skin, reachOfWalls), halo_(halo)
+Images<dim>::Images(const Geometry& geometry, double reach, double spacing, double skin, Halo<dim>* halo, double reachOfWalls,
+                    double recalled)
+    : walls_(geometry, reach + 2 * recalled, spacing, skin + 2 * recalled, reachOfWalls), halo_(halo), way_(recalled)
 {}
 
-template<int dim> Vector<dim> Images<dim>::period(const Entry& e) const
+/// The reflections of one particle as a tree: images that begin in the same mirrors have those reflections in common, and each is computed once. Beside meshes most
+/// images are images of images, and what is shifted has all of its reflections in common with what is not.
+template<int dim> struct Images<dim>::Reflections
 {
-    const auto extent = walls_.geometry().high - walls_.geometry().low;
-    Vector<dim> by;
-    fetch(by, [&](int c) { return e.shift[std::size_t(c)] * (extent.*component(c)); });
-    return by;
-}
+    struct Reflection
+    {
+        Mirror asked, found; ///< before and after the search for the facet that the image lies behind now
+        Feet feet;
+        Face face;
+        Vector<dim> x;    ///< of the image
+        double share;     ///< product of those of the image in each face up to here
+        int sibling;      ///< the one before with the same reflections up to here; -1 where there is none
+        int further = -1; ///< the last of those that go on from here
+    };
+    int source = -1;
+    std::vector<Reflection> all;
+    int first = -1;
 
-template<int dim> Vector<dim> Images<dim>::place(const Entry& e, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share) const
+    /// Of this mirror, after those up to `before`; -1 where it is not computed yet.
+    int find(int before, const Mirror& mirror) const
+    {
+        int k = last(before);
+        while (k >= 0 && !(all[std::size_t(k)].asked == mirror)) k = all[std::size_t(k)].sibling;
+        return k;
+    }
+    int last(int before) const { return before < 0 ? first : all[std::size_t(before)].further; }
+    int add(int before, Reflection one)
+    {
+        one.sibling = last(before);
+        all.push_back(one);
+        return (before < 0 ? first : all[std::size_t(before)].further) = int(all.size()) - 1;
+    }
+};
+
+template<int dim>
+double Images<dim>::place(const Entry& e, Mirror* mirrors, Vector<dim>& x, Feet* feet, bool weighted, Reflections& known) const
 {
+    if (known.source != e.source)
+    {
+        known.all.clear();
+        known.first = -1;
+        known.source = e.source;
+    }
     const auto source = in3D(x);
     Faces faces;
+    double share = 1;
+    int last = -1;
     for (int r = 0; r < e.reflections; ++r)
     {
-        const Foot f = walls_.footOf(mirrors[r], r, in3D(x), source);
-        const double factor = volumeFactor(f);
-        // The source may have moved beyond a centre of curvature since images were made, and a ghost that was mirrored once behind the next face.
-        const bool exists = factor > 0 && std::isfinite(factor) && (r == 0 || f.distance > 0);
-        feet[r] = {in<dim>(f.normal), f.distance, exists ? factor : 1,
-                   walls_.geometry().patches[std::size_t(mirrors[r].patch)].wallAt(f.region)};
-        if (share) *share *= exists ? faceShare(f, walls_.spacing()) : 0;
-        faces[std::size_t(r)] = {f.normal, in3D(x) - f.distance * f.normal};
-        x = in<dim>(mirrorImage(in3D(x), f));
-        if (share && r > 0) *share *= shareAmong(walls_, mirrors, faces.data(), r, in3D(x));
-        if (share && goesOnInWedge(mirrors, r, walls_.reflectors(), dim))
-            *share *= shareOfWedge(faces[std::size_t(r)].normal, faces[std::size_t(r) - 1].normal);
+        int at = known.find(last, mirrors[r]);
+        if (at < 0)
+        {
+            typename Reflections::Reflection one;
+            one.asked = mirrors[r];
+            const Foot f = walls_.footOf(mirrors[r], r, in3D(x), source);
+            const double factor = volumeFactor(f);
+            // The source may have moved beyond a centre of curvature since images were made, and a ghost that was mirrored once behind the next face.
+            const bool exists = factor > 0 && std::isfinite(factor) && (r == 0 || f.distance > 0);
+            one.found = mirrors[r];
+            one.feet = {in<dim>(f.normal), f.distance, exists ? factor : 1,
+                        walls_.geometry().patches[std::size_t(mirrors[r].patch)].wallAt(f.region)};
+            if (weighted) share *= exists ? faceShare(f, walls_.spacing()) : 0;
+            faces[std::size_t(r)] = one.face = {f.normal, in3D(x) - f.distance * f.normal};
+            one.x = in<dim>(mirrorImage(in3D(x), f));
+            if (weighted && r > 0) share *= shareAmong(walls_, mirrors, faces.data(), r, in3D(one.x));
+            if (weighted && goesOnInWedge(mirrors, r, walls_.reflectors(), dim))
+                share *= shareOfWedge(faces[std::size_t(r)].normal, faces[std::size_t(r) - 1].normal);
+            one.share = share;
+            at = known.add(last, one);
+        }
+        const auto& one = known.all[std::size_t(at)];
+        mirrors[r] = one.found;
+        feet[r] = one.feet;
+        faces[std::size_t(r)] = one.face;
+        x = one.x;
+        share = one.share;
+        last = at;
     }
-    return x + period(e);
+    x += shiftOf(e, walls_.geometry());
+    return share;
 }
 
-template<int dim> void Images<dim>::make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end)
+template<int dim> void Images<dim>::append(const std::vector<MadeImages<dim>>& all)
 {
-    for (const auto& made : makeImages<dim>(walls_, !layers_, x, begin, end))
+    for (const auto& made : all)
     {
         std::size_t foot = mirrors_.size();
         for (const auto& e : made.entries)
@@ -59,6 +113,23 @@ template<int dim> void Images<dim>::make(const std::array<double*, dim>& x, std:
         mirrors_.insert(mirrors_.end(), made.mirrors.begin(), made.mirrors.end());
         fastest_ = std::max(fastest_, made.fastest);
     }
+}
+
+template<int dim> void Images<dim>::makeOfOwned(FieldStore<dim>& store, bool remember)
+{
+    double* const number = way_ > 0 ? store.component(ImagesMade::info.name, 0) : nullptr;
+    auto made = makeImages<dim>(walls_, !layers_, store.pointers(Position{}), 0, owned_, {recalled_, number, way_, halo_ != nullptr});
+    append(made);
+    if (!number || !remember) return;
+    for (auto& portion : made)
+    {
+        portion.places = {};
+        portion.entries.shrink_to_fit();
+        portion.mirrors.shrink_to_fit();
+        portion.particles.shrink_to_fit();
+    }
+    recalled_ = std::move(made);
+    std::iota(number, number + owned_, 1.0);
 }
 
 template<int dim> void Images<dim>::keepIf(const auto& kept)
@@ -86,7 +157,7 @@ template<int dim> void Images<dim>::keepSeen(std::span<const char> seen)
     keepIf([&](std::size_t k) { return seen[copies + k]; });
 }
 
-template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned)
+template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned, bool remember)
 {
     owned_ = sources_ = owned;
     entries_.clear();
@@ -94,7 +165,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
     feet_.clear();
     firstFoot_.clear();
     fastest_ = 1;
-    make(store.pointers(Position{}), 0, owned);
+    makeOfOwned(store, remember);
     if (halo_)
     {
         sources_ += halo_->build(store, owned,
@@ -108,7 +179,7 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
                                          for (; k < entries_.size() && entries_[k].source == i; ++k) seen(places_[k], i);
                                      }
                                  });
-        make(store.pointers(Position{}), owned, sources_);
+        append(makeImages<dim>(walls_, !layers_, store.pointers(Position{}), owned, sources_));
         keepIf([this](std::size_t k) { return halo_->isNear(places_[k]); }); // images that this rank's particles may see
         if (layers_) layers_->keepNear(*halo_);
         fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
@@ -154,7 +225,8 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
     double* const wall = store.has(GhostWall{}) ? store.component(GhostWall::info.name, 0) : nullptr;
     const bool inMeshes = std::ranges::any_of(walls_.geometry().patches, [](const auto& p) { return p.mesh != nullptr; });
     constexpr std::size_t atOnce = 32;
-#pragma omp parallel for schedule(static)
+    Reflections known;
+#pragma omp parallel for schedule(static) firstprivate(known)
     for (std::size_t begin = 0; begin < entries_.size(); begin += atOnce)
     {
         const std::size_t end = std::min(begin + atOnce, entries_.size());
@@ -164,9 +236,9 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
             const Entry& e = entries_[k];
             const std::size_t at = sources_ + std::size_t(e.place);
             Feet* const feet = feet_.data() + firstFoot_[k];
-            const auto x_i = valueAt<Vector<dim>>(x, std::size_t(e.source));
-            double w = 1;
-            sph::store(place(e, mirrors_.data() + firstFoot_[k], x_i, feet, weight ? &w : nullptr), [&](int c, double q) { x[c][at] = q; });
+            auto place_k = valueAt<Vector<dim>>(x, std::size_t(e.source));
+            double w = place(e, mirrors_.data() + firstFoot_[k], place_k, feet, weight != nullptr, known);
+            sph::store(place_k, [&](int c, double q) { x[c][at] = q; });
             if (weight)
             {
                 for (int r = 0; r < e.reflections; ++r) w *= feet[r].weight;
@@ -210,7 +282,11 @@ template<int dim> std::vector<std::pair<std::size_t, double>> Images<dim>::nearF
 
 template<int dim> std::size_t Images<dim>::bytes() const
 {
-    return (layers_ ? layers_->bytes() : 0) + entries_.capacity() * sizeof(Entry) + feet_.capacity() * sizeof(Feet) +
+    std::size_t recalled = 0;
+    for (const auto& made : recalled_)
+        recalled += made.entries.capacity() * sizeof(Entry) + made.mirrors.capacity() * sizeof(Mirror) +
+                    made.particles.capacity() * sizeof(typename MadeImages<dim>::Particle);
+    return recalled + (layers_ ? layers_->bytes() : 0) + entries_.capacity() * sizeof(Entry) + feet_.capacity() * sizeof(Feet) +
            mirrors_.capacity() * sizeof(Mirror) + firstFoot_.capacity() * sizeof(unsigned);
 }
 

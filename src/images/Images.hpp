@@ -28,8 +28,10 @@ template<int dim> class Images
 {
 public:
     /// The geometry, and the halo where there is one, must outlive the images. Images are made within `reach` [m] of the domain's periodic faces and of walls: the kernel's
-    /// support and the `skin` [m] of the lists; `nearWalls` knows walls within `reachOfWalls` [m], where that is more.
-    Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr, double reachOfWalls = 0);
+    /// support and the `skin` [m] of the lists; `nearWalls` knows walls within `reachOfWalls` [m], where that is more. Those of particles that have moved by less than `recalled` [m] since they were made
+    /// are made again without a search (Recall); the store then has ImagesMade as a state.
+    Images(const Geometry&, double reach, double spacing, double skin = 0, Halo<dim>* halo = nullptr, double reachOfWalls = 0,
+           double recalled = 0);
 
     /// Units of records in single precision, those of columns 1.
     PlaceUnits<dim> placeUnits() const { return {in<dim>(walls_.geometry().low), in<dim>(walls_.geometry().high)}; }
@@ -50,8 +52,11 @@ public:
     /// Lets interfaces go straight on behind walls from now on; else they are mirrored, and meet every wall at 90 degrees.
     void continueInterfaces() { continuesInterfaces_ = true; }
 
-    /// Makes the images of the first `owned` particles and resizes the store.
-    void build(FieldStore<dim>& store, std::size_t owned);
+    /// Makes the images of the first `owned` particles and resizes the store. `remember`: those that recall images go on from these.
+    void build(FieldStore<dim>& store, std::size_t owned, bool remember = true);
+    bool recalls() const { return way_ > 0; }
+    /// Searches anew for all images the next time.
+    void forget() { recalled_.clear(); }
     /// Forgets images that no list names, NeighbourLists::seen(): nobody reads their values in the arrays any more. The others stay in place.
     void keepSeen(std::span<const char> seen);
 
@@ -97,6 +102,8 @@ private:
 
     ReflectingWalls walls_;
     Halo<dim>* halo_;
+    double way_;                            ///< within which images are recalled [m]; 0: none are
+    std::vector<MadeImages<dim>> recalled_; ///< as they were last made for this rank's particles
     FieldRules<dim> rules_;
     double fastest_ = 1;
     bool continuesInterfaces_ = false;
@@ -109,13 +116,15 @@ private:
     std::vector<Feet> feet_;              ///< feet of all ghosts, likewise
     std::vector<unsigned> firstFoot_;
 
-    /// Makes the images of these sources, and appends them.
-    void make(const std::array<double*, dim>& x, std::size_t begin, std::size_t end);
-    /// Position of the image of x. Multiplies `share` by that of the image in each face that it was mirrored in.
-    Vector<dim> place(const Entry&, Mirror* mirrors, Vector<dim> x, Feet* feet, double* share = nullptr) const;
+    /// Appends the images of some sources.
+    void append(const std::vector<MadeImages<dim>>&);
+    /// Makes the images of the owned particles, of which it recalls what it may.
+    void makeOfOwned(FieldStore<dim>& store, bool remember);
+    struct Reflections;
+    /// Moves x to the image of it. Returns the product of its shares in each face that it was mirrored in, if images are `weighted`.
+    double place(const Entry&, Mirror* mirrors, Vector<dim>& x, Feet* feet, bool weighted, Reflections& known) const;
     void prefetchFacets(std::size_t begin, std::size_t end) const;
     void keepIf(const auto& kept);
-    Vector<dim> period(const Entry&) const;
 };
 
 /// Computes the image's value: mirrored in every wall that it was reflected in, and not changed by periodic shifts.

@@ -36,11 +36,8 @@ public:
         {
             Foot f = mesh->body().mirror(mirror.facet, mesh->local(x), mesh->hidden());
             if (geometry_->mayBeCovered(p))
-            {
-                int facet = mirror.facet;
                 f.exposure =
-                    geometry_->exposure(p, source, reflection == 0 ? f : mesh->body().mirror(facet, mesh->local(source), mesh->hidden()));
-            }
+                    geometry_->exposure(p, source, reflection == 0 ? f : mesh->body().footOnFace(mirror.facet, mesh->local(source)));
             return f;
         }
         return reflection == 0 ? geometry_->foot(p, x) : geometry_->footOfGhost(p, x, source);

@@ -30,7 +30,7 @@ enum class Kept : unsigned char
     twin       ///< another chain has made the same image
 };
 
-/// Images in several bodies with less than this weight are left out. In the pinch between spheres that touch images of images are many and small: with a support of 3.05
+/// Images in several bodies, and third and later ones in one, with less than this weight are left out. In the pinch between spheres that touch images of images are many and small: with a support of 3.05
 /// spacings and ten of them across a sphere one particle had 1877 neighbours, and has 636, which fill 0.0013 less of its kernel.
 inline constexpr double leastWeight = 0.01;
 /// Chains of a particle beyond which those that come back to others end. A groove of 20 degrees has 18.
@@ -65,7 +65,8 @@ Kept keepsImage(const Chain& next, ChainStep step, std::span<const Chain> others
 {
     using enum Kept;
     const bool isOfOneBody = next.isOfOnly(next.lastPatch(), next.lastPatch()), isThird = step == ChainStep::thirdOfPlanes;
-    if (next.weight < leastWeight && !isOfOneBody)           return negligible; // between bodies that touch chains have no end
+    const bool fadesSlowly = !isOfOneBody || next.reflections > 2; // beside blunt edges a weight grows faster than it is foreseen
+    if (next.weight < leastWeight && fadesSlowly)            return negligible; // between bodies that touch chains have no end
     if (pilesUp(next, others, spacing))                      return twin;       // in a gap that no spacing resolves images pile up
     if (step == ChainStep::sameMesh)                         return yes;        // each place behind a mesh belongs to one of its faces
     if (next.reflections > 1 && !fillsCorner())              return inNeither;  // there is nothing to fill in front of both solids

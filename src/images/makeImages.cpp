@@ -78,15 +78,18 @@ public:
     }
 };
 
-template<int dim> void reflect(const ReflectingWalls& walls, int source, const Vector<dim>& x, MadeImages<dim>& made)
+/// Returns the largest speed of an image over that of its source.
+template<int dim> double reflect(const ReflectingWalls& walls, int source, const Vector<dim>& x, MadeImages<dim>& made)
 {
     static thread_local std::vector<Chain> chains;
     Chains<dim>(walls, x, chains).grow();
+    double fastest = 1;
     for (std::size_t k = 1; k < chains.size(); ++k)
     {
         made.add({source, {}, static_cast<unsigned char>(chains[k].reflections)}, in<dim>(chains[k].x), chains[k].mirrors.data());
-        made.fastest = std::max(made.fastest, chains[k].speed);
+        fastest = std::max(fastest, chains[k].speed);
     }
+    return fastest;
 }
 
 /// Shifts a particle at x, and its images so far, from `first` on, across the periodic faces of one axis.
@@ -121,14 +124,54 @@ void shift(const ReflectingWalls& walls, int source, const Vector<dim>& x, int a
     }
 }
 
+/// Makes the images of particle i at x by the reflections and shifts of those that were made before; false where there are none, or x is too far from where they were made.
+template<int dim>
+bool recallImages(const ReflectingWalls& walls, const Recall<dim>& recall, int i, const Vector<dim>& x, MadeImages<dim>& images)
+{
+    const auto number = recall.number ? std::size_t(recall.number[i]) : 0;
+    if (number == 0 || (number - 1) / particlesAtOnce >= recall.made.size()) return false;
+    const auto& made = recall.made[(number - 1) / particlesAtOnce];
+    const std::size_t k = (number - 1) % particlesAtOnce;
+    if (k >= made.particles.size() || !(mag(x - made.particles[k].at) <= recall.way)) return false;
+    auto particle = made.particles[k];
+    const Mirror* mirrors = made.mirrors.data() + particle.mirror;
+    const std::size_t first = particle.entry, last = k + 1 < made.particles.size() ? made.particles[k + 1].entry : made.entries.size();
+    particle.entry = unsigned(images.entries.size());
+    particle.mirror = unsigned(images.mirrors.size());
+    images.fastest = std::max(images.fastest, particle.fastest);
+    images.particles.push_back(particle);
+    for (std::size_t e = first; e < last; ++e)
+    {
+        auto entry = made.entries[e];
+        entry.source = i;
+        auto y = in3D(x);
+        for (int r = 0; recall.places && r < entry.reflections; ++r)
+        {
+            Mirror mirror = mirrors[r];
+            y = mirrorImage(y, walls.footOf(mirror, r, y, in3D(x)));
+        }
+        images.add(entry, in<dim>(y) + shiftOf(entry, walls.geometry()), mirrors);
+        mirrors += entry.reflections;
+    }
+    return true;
+}
+
+}
+
+double recalledWithin(const Geometry& geometry, double spacing)
+{
+    constexpr double inSpacings = 0.15;
+    const bool searchesFacets =
+        geometry.layers.empty() && std::ranges::any_of(geometry.patches, [](const auto& p) { return p.mesh != nullptr; });
+    return searchesFacets ? inSpacings * spacing : 0;
 }
 
 /// Images follow one another as their sources do: the parts of the arrays that a thread computes of particles and of images belong together.
 template<int dim>
 std::vector<MadeImages<dim>> makeImages(const ReflectingWalls& walls, bool wallsReflect, const std::array<double*, dim>& x,
-                                        std::size_t begin, std::size_t end)
+                                        std::size_t begin, std::size_t end, const Recall<dim>& recall)
 {
-    const std::size_t portion = 256;
+    constexpr std::size_t portion = particlesAtOnce;
     std::vector<MadeImages<dim>> made((end - begin + portion - 1) / portion);
     const auto& geometry = walls.geometry();
 #pragma omp parallel for schedule(dynamic)
@@ -138,8 +181,11 @@ std::vector<MadeImages<dim>> makeImages(const ReflectingWalls& walls, bool walls
         for (std::size_t i = begin + k * portion; i < std::min(end, begin + (k + 1) * portion); ++i)
         {
             const auto x_i = valueAt<Vector<dim>>(x, i);
+            if (recallImages(walls, recall, int(i), x_i, images)) continue;
             const std::size_t first = images.entries.size(), firstMirror = images.mirrors.size();
-            if (!geometry.patches.empty() && wallsReflect) reflect(walls, int(i), x_i, images);
+            const double fastest = !geometry.patches.empty() && wallsReflect ? reflect(walls, int(i), x_i, images) : 1;
+            images.fastest = std::max(images.fastest, fastest);
+            if (recall.number) images.particles.push_back({x_i, fastest, unsigned(first), unsigned(firstMirror)});
             for (int axis = 0; axis < dim; ++axis)
                 if (geometry.periodic[std::size_t(axis)]) shift(walls, int(i), x_i, axis, first, firstMirror, images);
         }
@@ -148,7 +194,9 @@ std::vector<MadeImages<dim>> makeImages(const ReflectingWalls& walls, bool walls
     return made;
 }
 
-template std::vector<MadeImages<2>> makeImages<2>(const ReflectingWalls&, bool, const std::array<double*, 2>&, std::size_t, std::size_t);
-template std::vector<MadeImages<3>> makeImages<3>(const ReflectingWalls&, bool, const std::array<double*, 3>&, std::size_t, std::size_t);
+template std::vector<MadeImages<2>> makeImages<2>(const ReflectingWalls&, bool, const std::array<double*, 2>&, std::size_t, std::size_t,
+                                                  const Recall<2>&);
+template std::vector<MadeImages<3>> makeImages<3>(const ReflectingWalls&, bool, const std::array<double*, 3>&, std::size_t, std::size_t,
+                                                  const Recall<3>&);
 
 }

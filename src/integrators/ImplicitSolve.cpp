@@ -62,10 +62,9 @@ template<int dim> double shareThroughWalls(const Particles<dim>& particles)
             fetch(x_i, [&](int k) { return x[k][i]; });
             fetch(v_i, [&](int k) { return v[k][i]; });
             Speeds speeds;
-            particles.nearWalls().forEachFoot(in3D(x_i),
+            particles.nearWalls().forEachFoot(in3D(x_i), c.spacing,
                                               [&](const Foot& foot, const Patch& patch)
                                               {
-                                                  if (foot.distance > c.spacing) return;
                                                   const auto relative =
                                                       in3D(v_i) -
                                                       particles.geometry().wallVelocity(patch.wallAt(foot.region),

@@ -128,11 +128,12 @@ public:
           owned_(n_ + around.size()),
           catalogue_(relaxationTerms<dim>(V0)),
           plan_(catalogue_, groupsOf(kernel, moves), {PackingPressure::info.name}),
-          images_(geometry, reach_, spacing),
+          images_(geometry, reach_, spacing, 0, nullptr, 0, moves ? recalledWithin(geometry, spacing) : 0),
           stored_(moves ? NeighbourLists<dim>::Stored::yes : NeighbourLists<dim>::Stored::no)
     {
         plan_.allocate(store_);
         store_.allocate(ImageWeight{});
+        if (images_.recalls()) store_.allocateState(ImagesMade{});
         // No term reads a velocity; layers ask for a rule all the same.
         images_.rules().set(Velocity{}, std::make_unique<ReflectedVelocity<dim>>(geometry));
         if (!geometry.layers.empty()) images_.setLayers({geometry, kernel, reach_, spacing});
@@ -164,8 +165,13 @@ public:
 
     void updateDensity()
     {
-        images_.move(store_);
-        if (stored_ == NeighbourLists<dim>::Stored::yes && hasMovedFar()) rebuild();
+        const bool rebuilds = stored_ == NeighbourLists<dim>::Stored::yes;
+        if (rebuilds && haveMovedFar(0, owned_)) rebuild();
+        else
+        {
+            images_.move(store_);
+            if (rebuilds && haveMovedFar(owned_, images_.nullParticle())) rebuild();
+        }
         plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(NumberDensity::name));
         residual_ = measured();
     }
@@ -327,13 +333,14 @@ private:
         plan_.bind(store_, Coefficients{});
     }
 
-    bool hasMovedFar() const
+    /// Whether one of the particles or images from `begin` to `end` - 1 has since lists were built.
+    bool haveMovedFar(std::size_t begin, std::size_t end) const
     {
-        const double farthest = most(images_.nullParticle(),
-                                     [&](std::size_t i)
+        const double farthest = most(end - begin,
+                                     [&](std::size_t k)
                                      {
                                          Vector<dim> moved;
-                                         fetch(moved, [&](int c) { return x_[c][i] - atBuild_[c][i]; });
+                                         fetch(moved, [&](int c) { return x_[c][begin + k] - atBuild_[c][begin + k]; });
                                          return dot(moved, moved);
                                      });
         return farthest > sqr(0.5 * skin * spacing_);

@@ -21,6 +21,7 @@ struct WallDistance
         double d = farAway;
     };
 
+    static double wallReach() { return Box::infinity; }
     template<class S> S operator()(const S& soFar, const auto&, const auto& foot) const
     {
         return {foot.distance < soFar.d ? foot.distance : soFar.d};

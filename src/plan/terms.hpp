@@ -5,7 +5,7 @@
 ///               sweeps()                 optional: how many sums; then operator()(ij, i, j, sweep), finish(i, sum, sweep), added up
 ///   local law   operator()(i)            one particle at a time;         ReadsOwn
 ///               operator()(i, dt)        ... that Advances a state by dt [s], in as many substeps as it likes
-///   wall law    operator()(soFar, i, foot)  atWalls; over the places of walls within reach of i, nearest place of each patch; ReadsOwn
+///   wall law    operator()(soFar, i, foot)  atWalls; over the places of walls within wallReach() [m] of i, nearest place of each patch; ReadsOwn
 ///   Provides one derived field, or several as Fields<...> (their only writer), or Adds to a rate that several terms share
 ///
 /// A pair term that `bearsSingle` has its operator, written for any Real, run in single precision too, where a pass asks for it; what it returns is summed, and finished, in
@@ -170,6 +170,9 @@ concept WallLaw = atWalls<T> && requires(const T t, SoFarOf<T, dim> q, OwnValues
     {
         t(q, i, foot)
         } -> std::same_as<SoFarOf<T, dim>>;
+    {
+        t.wallReach()
+        } -> std::same_as<double>;
 };
 
 /// The declared values, from component(0), component(1) ... in the order of the list.
@@ -365,7 +368,7 @@ public:
                 SoFarOf<T, dim> soFar{};
                 if constexpr (std::same_as<SoFarOf<T, dim>, Result>)
                     if (adds_) fetch(soFar, [&](int c) { return result_[c][i]; });
-                walls.forEachFoot(in3D(x),
+                walls.forEachFoot(in3D(x), term_.wallReach(),
                                   [&](const Foot& foot, const Patch& patch)
                                   {
                                       soFar = term_(soFar, own,

@@ -20,8 +20,8 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
       halo_(ranks() ? std::make_unique<Halo<dim>>(*ranks(), settings.searchReach() + skinInSpacings * settings.resolution.spacing)
                     : nullptr),
       images_(geometry_, settings.searchReach() + skinInSpacings * settings.resolution.spacing, settings.resolution.spacing,
-              skinInSpacings * settings.resolution.spacing, halo_.get(),
-              settings.facts.get<WallReach>().supports * settings.resolution.H()),
+              skinInSpacings * settings.resolution.spacing, halo_.get(), settings.facts.get<WallReach>().supports * settings.resolution.H(),
+              movingWalls_.any() ? 0 : recalledWithin(geometry_, settings.resolution.spacing)),
       leakGuard_(geometry_, settings.resolution.spacing, settings.resolution.H(), settings.facts.get<LeakedParticles>().action),
       kernel_(settings.resolution.kernel, settings.resolution.H()),
       owned_(cloud.size()),
@@ -37,6 +37,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.searchReach() + skin_, settings.resolution.spacing});
     if (settings.facts.get<InterfacesBehindWalls>().straight) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : geometry_.bends()) store_.allocate(ImageWeight{});
+    if (images_.recalls()) store_.allocateState(ImagesMade{});
     for (const auto& maker : settings.runningModels) runningModels_.push_back(maker.template make<dim>()(*this, restored));
     for (const auto place : withinStages) joined_[place] = stages(place);
     store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
@@ -113,9 +114,9 @@ template<int dim> void Particles<dim>::hold(const RunningModel<dim>& by, std::ve
 
 template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held_.size(), std::size_t(0), Add{}) > 0; }
 
-template<int dim> void Particles<dim>::makeLists()
+template<int dim> void Particles<dim>::makeLists(bool inPassing)
 {
-    images_.build(store_, owned_);
+    images_.build(store_, owned_, !inPassing);
     lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.searchReach() + skin_,
                  NeighbourLists<dim>::Stored::yes, plan_.idle());
     images_.keepSeen(lists_.seen());

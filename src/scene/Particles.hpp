@@ -136,8 +136,8 @@ private:
     void bind();
     /// Evaluates the first group and the stages that join it, for the present positions and images.
     void evaluateFirst();
-    /// Makes images and lists for the present positions.
-    void makeLists();
+    /// Makes images and lists for the present positions; `inPassing`: no later ones depend on them.
+    void makeLists(bool inPassing = false);
     /// Runs an observation of the present state, with images and lists for it, and restores the state that the observation has changed.
     void look(const std::function<void()>& at);
     void planAlone();

@@ -34,7 +34,7 @@ template<int dim> void Particles<dim>::look(const std::function<void()>& at)
         }
 
     // Lists that are too old for the present positions are made anew in passing; as they are still too old, the next evaluation sorts as ever.
-    if (travelled_ > 0.5 * skin_) makeLists();
+    if (travelled_ > 0.5 * skin_) makeLists(true);
     else images_.move(store_);
     at();
 
@@ -117,6 +117,7 @@ template<int dim> std::map<std::string, double> Particles<dim>::powers()
 
 template<int dim> void Particles<dim>::settle()
 {
+    images_.forget(); // a restart knows none
     rebuild();
     observe();
 }

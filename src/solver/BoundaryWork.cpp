@@ -114,7 +114,7 @@ template<int dim> Vector<3> BoundaryWork<dim>::velocityAt(const Particles<dim>& 
     const auto& geometry = particles.geometry();
     double nearest = Box::infinity;
     auto velocity = geometry.wallVelocity(motion, x);
-    particles.nearWalls().forEachFoot(x,
+    particles.nearWalls().forEachFoot(x, Box::infinity,
                                       [&](const Foot& foot, const Patch& patch)
                                       {
                                           const int wall = patch.wallAt(foot.region);

@@ -221,10 +221,9 @@ template<int dim> double StressUpdate<dim>::powerOfWalls(const Particles<dim>& p
                {
                    double power = 0;
                    const auto x_i = valueAt<Vector<dim>>(x, i);
-                   particles.nearWalls().forEachFoot(in3D(x_i),
+                   particles.nearWalls().forEachFoot(in3D(x_i), c.spacing,
                                                      [&](const Foot& foot, const Patch& patch)
                                                      {
-                                                         if (!(foot.distance < c.spacing)) return;
                                                          const auto v_w = geometry.wallVelocity(patch.wallAt(foot.region),
                                                                                                 in3D(x_i) - foot.distance * foot.normal);
                                                          power -= V[i] / c.spacing *

@@ -52,12 +52,12 @@ template<int dim> void WallFriction<dim>::slide(Particles<dim>& p, std::size_t i
     const auto& numbers = c.template of<SoilNumbers>();
     const double rho = store.component(Density::info.name, 0)[i], besides = numbers.compactionPressure(rho) - numbers.floorPressure;
     const double stiffness = rho * sqr(store.component(SoilSound::info.name, 0)[i]) / c.spacing;
-    p.nearWalls().forEachFoot(in3D(x),
+    p.nearWalls().forEachFoot(in3D(x), c.support,
                               [&](const Foot& foot, const Patch& patch)
                               {
                                   const int index = patch.wallAt(foot.region);
                                   const auto& wall = geometry.walls[std::size_t(index)];
-                                  if (!wall.frictionAngle || foot.distance > c.support) return;
+                                  if (!wall.frictionAngle) return;
                                   const auto n = in<dim>(foot.normal);
                                   const auto v_w = in<dim>(geometry.wallVelocity(index, in3D(x) - foot.distance * foot.normal));
                                   const auto joint = along(T * n, n), tau = joint + deltaT * stiffness * along(v - v_w, n);

@@ -41,10 +41,9 @@ template<int dim> double InterfaceArea<dim>::supply(const Particles<dim>& partic
                [&](std::size_t i)
                {
                    double wetting = 0;
-                   particles.nearWalls().forEachFoot(in3D(valueAt<Vector<dim>>(x, i)),
+                   particles.nearWalls().forEachFoot(in3D(valueAt<Vector<dim>>(x, i)), c.spacing, // the row at the wall
                                                      [&](const Foot& foot, const Patch& patch)
                                                      {
-                                                         if (foot.distance > c.spacing) return; // the row at the wall
                                                          const auto of =
                                                              tensions.begin() + long(std::size_t(patch.wallAt(foot.region)) * n);
                                                          const auto [least, most] = std::minmax_element(of, of + long(n));

@@ -48,6 +48,7 @@ struct NextToWall
     double reach; ///< [m]
 
     explicit NextToWall(const Coefficients& c) : reach(5.0 / 6 * c.support) {}
+    double wallReach() const { return reach; }
     template<class S> S operator()(const S& soFar, const auto&, const auto& foot) const
     {
         if (foot.distance >= (soFar.found ? soFar.nearest : reach)) return soFar;

@@ -43,6 +43,7 @@ struct WallPotential
         if (std::fabs(d) >= layer.R || 1 - k1 * d < WallLayer::least || 1 - k2 * d < WallLayer::least) return 0;
         return layer.slope(d) / layer.integral(k1, k2);
     }
+    double wallReach() const { return layer.R; }
     auto operator()(auto dvdt, const auto& i, const auto& foot) const
     {
         const auto k = std::size_t(i.phase);

@@ -53,6 +53,7 @@ struct WallTension
         const auto k = std::min(std::size_t(place), w.size() - 2);
         return w[k] + (place - double(k)) * (w[k + 1] - w[k]);
     }
+    double wallReach() const { return H; }
     /// The law acts only where there is a mirror image, which the tension has to balance.
     auto operator()(auto S, const auto& i, const auto& foot) const
     {

@@ -44,6 +44,7 @@ struct WallWetting
     {
         for (double d = closest; d < layer.R; d += c.spacing) rows += layer.phi(d) * c.spacing;
     }
+    double wallReach() const { return layer.R; }
     auto operator()(double soFar, const auto&, const auto& foot) const
     {
         if (foot.distance >= layer.R) return soFar;

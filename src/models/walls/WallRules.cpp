@@ -45,10 +45,8 @@ template<int dim> double WallRules<dim>::supply(const Particles<dim>& particles,
         {
             const auto x_i = valueAt<Vector<dim>>(x, i);
             double speed = 0;
-            particles.nearWalls().forEachFoot(in3D(x_i),
-                                              [&](const Foot& foot, const Patch& patch)
-                                              {
-                                                  if (foot.distance > spacing) return; // the row at the wall
+            particles.nearWalls().forEachFoot(in3D(x_i), spacing, // the row at the wall
+                                              [&](const Foot& foot, const Patch& patch) {
                                                   larger(speed, mag(geometry.wallVelocity(patch.wallAt(foot.region),
                                                                                           in3D(x_i) - foot.distance * foot.normal)));
                                               });

@@ -106,14 +106,18 @@ Kept kept(const Chain& next, ChainStep how, const std::vector<Chain>& others = {
     return keepsImage(next, how, others, reflectors, spacing, [&] { return fills; });
 }
 
-TEST(ChainTable, LeavesOutWhatHasNoWeightInSeveralBodies)
+TEST(ChainTable, LeavesOutWhatHasNoWeight)
 {
     Chain small = chainOf({ball, rod});
     small.weight = 0.5 * leastWeight;
     EXPECT_EQ(kept(small, ChainStep::newWall), Kept::negligible);
-    Chain ofOne = chainOf({rock, rock});
-    ofOne.weight = 0;
-    EXPECT_EQ(kept(ofOne, ChainStep::sameMesh), Kept::yes);
+    // In one mesh the third reflection on: beside blunt edges the weight of the first two grows faster than it is foreseen.
+    for (const int reflections : {1, 2, 3, 4})
+    {
+        Chain ofOne = chainOf(std::vector<int>(std::size_t(reflections), rock));
+        ofOne.weight = 0.5 * leastWeight;
+        EXPECT_EQ(kept(ofOne, ChainStep::sameMesh), reflections < 3 ? Kept::yes : Kept::negligible) << reflections;
+    }
 }
 
 TEST(ChainTable, KeepsAllImagesThatGoRoundAMesh)

@@ -57,7 +57,7 @@ TEST(Images, TellEachWallNearOnce)
     for (const auto& x : points)
     {
         std::vector<int> walls;
-        channel.images.nearWalls().forEachFoot(in3D(x),
+        channel.images.nearWalls().forEachFoot(in3D(x), Box::infinity,
                                                [&](const Foot& foot, const Patch& patch)
                                                {
                                                    if (foot.distance > 0.6)
@@ -76,7 +76,7 @@ TEST(Images, TellEachWallNearOnce)
 
     Imaged<2> corner(cornerOfBox(2), 0.3, {{0.1, 0.15}});
     int told = 0;
-    corner.images.nearWalls().forEachFoot({0.1, 0.15, 0},
+    corner.images.nearWalls().forEachFoot({0.1, 0.15, 0}, Box::infinity,
                                           [&](const Foot& foot, const Patch& patch)
                                           {
                                               ++told;

@@ -90,7 +90,7 @@ TEST(Images, AreNotOfHiddenFaces)
     ASSERT_EQ(found.size(), 1u);
     EXPECT_DOUBLE_EQ(found[0].first.x, 0.5);
     int walls = 0;
-    scene.images.nearWalls().forEachFoot({0.4, 0.5, 0},
+    scene.images.nearWalls().forEachFoot({0.4, 0.5, 0}, Box::infinity,
                                          [&](const Foot&, const Patch& patch)
                                          {
                                              ++walls;

@@ -365,6 +365,85 @@ TEST(MeshImages, AtARidgeThatEndsAreNotInOnePlace)
     }
 }
 
+/// A way of at most that length, in a direction and of a length of its own for each k.
+Vector<3> wayOf(std::size_t k, double length)
+{
+    const auto at = [k](double a) { return std::fmod(0.5 + double(k + 1) * a, 1.0) - 0.5; };
+    const Vector<3> way{at(0.8191725), at(0.6710436), at(0.5497005)};
+    return (0.2 + 0.8 * std::fmod(double(k) * 0.618034, 1.0)) * length / mag(way) * way;
+}
+
+// Images of what has moved by no more than `way` since a search are those that the search found, wherever the particle is among the others now; of what has gone farther, or come in since, they are
+// searched for.
+TEST(MeshImages, AreRecalledOfWhatHasHardlyMoved)
+{
+    const double way = 0.15 * spacing;
+    const auto g = meshScene(aroundWedge(60));
+    const auto points = sample(g, {0.3, 0.1, 0.1}, 1000).points;
+    const std::size_t n = points.size();
+    FieldStore<3> store;
+    setPositions(store, points);
+    const auto x = store.pointers(Position{});
+    const ReflectingWalls walls(g, H + 2 * way, spacing, 2 * way);
+    std::vector<double> number(n, 0.0);
+    const auto searched = makeImages<3>(walls, true, x, 0, n, {{}, number.data(), way});
+    std::size_t recalled = 0, others = 0;
+    for (std::size_t i = 0; i < n; ++i) // in reverse order, each fifth far away and each seventh new
+    {
+        const std::size_t before = n - 1 - i;
+        number[i] = i % 7 == 0 ? 0 : double(before + 1);
+        sph::store(points[before] + wayOf(i, i % 5 == 0 ? 6 * way : way), [&](int c, double q) { x[c][i] = q; });
+    }
+    const auto again = makeImages<3>(walls, true, x, 0, n, {searched, number.data(), way});
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        const auto now = positionOf(store, i), before = points[n - 1 - i];
+        const bool stays = i % 7 > 0 && mag(now - before) <= way;
+        EXPECT_EQ(again[i / particlesAtOnce].particles[i % particlesAtOnce].at, stays ? before : now) << i;
+        ++(stays ? recalled : others);
+    }
+    EXPECT_GT(recalled, n / 2);
+    EXPECT_GT(others, n / 5);
+    number.assign(n, double(n + 1)); // of nobody
+    EXPECT_EQ(makeImages<3>(walls, true, x, 0, n, {searched, number.data(), way})[0].particles[0].at, positionOf(store, 0));
+}
+
+// Recalled images fill what those of a search at the present places do, at edges and between bodies, when particles that walls hold off have moved as far as they may.
+TEST(MeshImages, FillTheSameWhereTheyAreRecalled)
+{
+    const double way = 0.15 * spacing;
+    const auto floor = std::make_shared<Plane>(Vector<3>{}, Vector<3>{0, 1, 0});
+    const Vector<3> besideEdge{0.25, 0.15, 0.1}, inGap{1.6, 0.3, 0.1};
+    for (const auto& [g, x] : {std::pair{meshScene(aroundWedge(45)), besideEdge},
+                               {meshScene(aroundWedge(270)), besideEdge},
+                               {meshScene(overhang(40), {floor}), besideEdge},
+                               {meshScene(together(icosphere(4, 3 * H, {0, 3.05 * H, 0}), block({-9, -9, -9}, {9, 0, 9}))), inGap}})
+    {
+        auto [points, volume] = sample(g, x, 20000);
+        std::erase_if(points, [&g = g](const auto& p) { return g.distance(p) < 0.4 * spacing; });
+        FieldStore<3> store;
+        store.allocate(ImageWeight{});
+        store.allocateState(ImagesMade{});
+        setPositions(store, points);
+        Images<3> images(g, H, spacing, 0, nullptr, 0, way);
+        images.build(store, points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            sph::store(points[i] + wayOf(i, way), [p = store.pointers(Position{}), i](int c, double q) { p[c][i] = q; });
+        const auto share = [&, volume = volume, x = x] // of the kernel
+        {
+            images.build(store, points.size(), false);
+            double sum = 0;
+            for (std::size_t k = 0; k < images.owned() + images.count(); ++k)
+                sum += store.component(ImageWeight::info.name, 0)[k] * wendland(mag(positionOf(store, k) - x));
+            return sum * volume;
+        };
+        const double recalled = share();
+        images.forget();
+        EXPECT_GT(recalled, 0.1);
+        EXPECT_NEAR(recalled, share(), 1e-3);
+    }
+}
+
 // Whoever is near the surface is named, and not as farther off than it is. Images lie along the mean normals of corners, where the surface is farther
 // by 0.012 spacings at most here.
 TEST(MeshImages, NearFacesAreNoFartherThanTheSurface)

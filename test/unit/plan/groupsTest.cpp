@@ -417,6 +417,7 @@ struct Push
     static constexpr auto name = "push";
     using Adds = Acceleration;
     using ReadsOwn = Fields<A>;
+    static double wallReach() { return Box::infinity; }
     auto operator()(auto dvdt, const auto& i, const auto& foot) const { return dvdt += -i.a * foot.distance * foot.normal; }
 };
 /// z = the number of walls within reach: Provides
@@ -425,6 +426,7 @@ struct Walls
     static constexpr bool atWalls = true;
     static constexpr auto name = "walls";
     using Provides = Z;
+    static double wallReach() { return Box::infinity; }
     double operator()(double count, const auto&, const auto&) const { return count + 1; }
 };
 /// dv/dt = (1 0)
