@@ -58,7 +58,7 @@ int PatchTree::build(const std::vector<Box>& bounds, int first, int last)
 void PatchTree::consider(const Numbered& body, const Vector<3>& x, int except, NearestPatch& best)
 {
     if (body.patch == except) return;
-    // What lies beside the bounds of a body lies in front of it.
+    // A point beside the bounds of a body lies in front of the body.
     const bool isBeside = !body.shape->enclosesFluid() && distanceTo(body.shape->bounds(), x) > 0;
     const double d = body.shape->distance(x, isBeside ? best.distance * (1 + 1e-12) : Box::infinity);
     if (d < best.distance || (d == best.distance && body.patch < best.patch)) best = {d, body.patch};
