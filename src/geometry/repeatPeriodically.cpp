@@ -4,6 +4,7 @@
 #include "geometry/TriangleMesh.hpp"
 #include "geometry/components.hpp"
 #include <algorithm>
+#include <cmath>
 
 namespace sph
 {
@@ -23,6 +24,31 @@ bool same(const ShapeDescription& a, const ShapeDescription& b, double tolerance
     return true;
 }
 
+/// Whether a shape that is longer than the domain and `reach` on both sides goes on through it, as what has been continued does (src/meshes, continuePeriodically): its surface repeats after a period. That of a bed of grains
+/// which were united to one mesh does not, although it sticks out of both faces. Shapes of formulas, and what encloses the fluid, are taken to.
+bool goesOnThrough(const Geometry& g, const Shape& shape, int direction, double reach)
+{
+    const auto* mesh = asMesh(shape);
+    if (!mesh || shape.enclosesFluid()) return true;
+    const auto c = component(direction);
+    const double misfit = 0.01 * reach;
+    Vector<3> period;
+    period.*c = g.length(direction);
+    const auto& body = mesh->body();
+    const auto offset = -mesh->local({});
+    for (const double plane : {g.low.*c - 0.5 * reach, g.low.*c + 0.5 * reach}) // beside the joints of what has been continued
+        for (const auto& f : body.facets())
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                const auto p = body.points()[std::size_t(f.points[k])] + offset,
+                           q = body.points()[std::size_t(f.points[(k + 1) % 3])] + offset;
+                if ((p.*c < plane) == (q.*c < plane)) continue;
+                const auto on = p + (plane - p.*c) / (q.*c - p.*c) * (q - p);
+                if (std::fabs(shape.foot(on + period).distance) > misfit) return false;
+            }
+    return true;
+}
+
 /// Numbers of periods by which a shape is shifted along one direction to come within reach of the domain.
 std::array<int, 2> shifts(const Geometry& g, const Shape& shape, int direction, double reach)
 {
@@ -30,8 +56,7 @@ std::array<int, 2> shifts(const Geometry& g, const Shape& shape, int direction, 
     const auto c = component(direction);
     const auto b = shape.bounds();
     if (std::isinf(b.low.*c) || std::isinf(b.high.*c)) return {0, 0};
-    // A body that goes on through the domain has been continued as far as is seen (src/meshes, continuePeriodically).
-    if (b.low.*c <= g.low.*c - reach && b.high.*c >= g.high.*c + reach) return {0, 0};
+    if (b.low.*c <= g.low.*c - reach && b.high.*c >= g.high.*c + reach && goesOnThrough(g, shape, direction, reach)) return {0, 0};
     const double L = g.length(direction);
     return {int(std::ceil((g.low.*c - reach - b.high.*c) / L - 1e-9)), int(std::floor((g.high.*c + reach - b.low.*c) / L + 1e-9))};
 }

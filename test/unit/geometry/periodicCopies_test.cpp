@@ -57,6 +57,30 @@ TEST(PeriodicCopies, ofWhatGoesOnThroughAreNone)
     }
 }
 
+// Grains that were united to one mesh stick out of both sides of their domain and end there: they repeat as a body. Of this one, two pyramids on a common base, the copies' tips lie beside it in the domain.
+TEST(PeriodicCopies, ofABodyThatSticksOutOfBothSidesAreMade)
+{
+    Geometry g;
+    g.high = {1, 1, 1};
+    g.periodic = {true, false, false};
+    g.walls.resize(1);
+    TriangleSurface body;
+    body.points = {{-0.2, 0.3, 0.5}, {1.2, 0.7, 0.5}, {0.5, 0.8, 0.5}, {0.5, 0.5, 0.8}, {0.5, 0.2, 0.5}, {0.5, 0.5, 0.2}};
+    for (const auto& [a, b] : {std::pair{2, 3}, {3, 4}, {4, 5}, {5, 2}})
+    {
+        body.triangles.push_back({1, a, b});
+        body.triangles.push_back({0, b, a});
+    }
+    for (const auto& of : bodiesOf(ofOneRegion(body), {0.05, 0.1})) g.originals.push_back({std::make_shared<TriangleMesh>(of), 0});
+    repeatPeriodically(g, 0.1);
+    EXPECT_EQ(g.patches.size(), 3u);
+    // At x = 0.15 the tip at 0.2 is 0.7 - 0.014 high and 0.021 wide, the body itself reaches up to 0.55.
+    EXPECT_FALSE(g.inFluid({0.15, 0.686, 0.5}));
+    EXPECT_FALSE(g.inFluid({0.85, 0.314, 0.5}));
+    EXPECT_TRUE(g.inFluid({0.15, 0.62, 0.5}));
+    EXPECT_TRUE(g.inFluid({0.25, 0.7, 0.5}));
+}
+
 // The lattice must fit the domain; rounding of its length in the dictionary (1e-7) is taken out.
 TEST(SphereBed, mustAgreeWithThePeriodicDomain)
 {
