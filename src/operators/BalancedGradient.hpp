@@ -24,6 +24,7 @@ namespace sph
 struct GradientMap       { static constexpr FieldInfo info{"gradientMap", "1", Image::mirrored};           template<int dim, class Real = double> struct At { Tensor<dim, Real> A; }; };
 struct GradientOffset    { static constexpr FieldInfo info{"gradientOffset", "m", Image::mirrored};        template<int dim, class Real = double> struct At { Vector<dim, Real> b; }; };
 struct GradientImbalance { static constexpr FieldInfo info{"gradientImbalance", "1/m", Image::mirrored};   template<int dim, class Real = double> struct At { Vector<dim, Real> r; }; };
+struct DivergenceOfChange { static constexpr FieldInfo info{"divergenceOfChange", "1/s"};                  template<int dim, class Real = double> struct At { Real divergence; }; };
 struct BalanceStep       { static constexpr FieldInfo info{"balanceStep", "m^2"};                          template<int dim, class Real = double> struct At { Real q; }; };
 // clang-format on
 
@@ -110,6 +111,18 @@ struct BalancedVelocityGradient
     static constexpr bool ofRawGradient = true;
 
     auto operator()(const auto& ij, const auto& i, const auto& j) const { return outer(-j.V * ij.dWdrOverR * (j.v - i.v), affine(ij, i)); }
+};
+
+/// div of a change of velocities.
+struct BalancedDivergenceOfChange
+{
+    static constexpr auto name = "balancedDivergenceOfChange";
+    using Provides = DivergenceOfChange;
+    using Reads = Fields<Volume, VelocityChange>;
+    using ReadsOwn = Fields<GradientMap, GradientOffset>;
+    static constexpr bool ofRawGradient = true;
+
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return -j.V * ij.dWdrOverR * dot(j.dv - i.dv, affine(ij, i)); }
 };
 
 template<class OfStress> struct BalancedDivergenceOf

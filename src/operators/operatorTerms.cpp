@@ -14,7 +14,7 @@ template<int dim> Catalogue<dim> operatorTerms()
 {
     return catalogue<dim, StressDivergence, DensityWeightedStressDivergence, SecondMoment, GradientNormalisation, GradientCorrection,
                      SurfaceDetection, OutwardNormal, CorrectedVelocityGradient, FitWeights, BalancedGradientMap, ImbalanceOfGradient,
-                     AdvanceOffset, BalancedVelocityGradient>();
+                     AdvanceOffset, BalancedVelocityGradient, BalancedDivergenceOfChange>();
 }
 
 template Catalogue<2> operatorTerms<2>();

@@ -55,6 +55,8 @@ public:
     const Coefficients& coefficients() const { return coefficients_; }
     /// Sets the gravity of the evaluations from now on [m/s^2].
     void setGravity(const Vector<3>& g) { coefficients_.g = g; }
+    /// Numbers of a model that vary with time, of the evaluations from now on.
+    template<class T> T& numbersOf() { return coefficients_.template of<T>(); }
     /// Sets the scale of the number density, of the evaluations from now on.
     void setDensityScale(double scale)
     {

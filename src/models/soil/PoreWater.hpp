@@ -8,12 +8,25 @@
 /// relative to the grains is left out, which holds where they move slower than waves of the second kind (Zienkiewicz, Chang and Bettess 1980). n and k stay as they are given, and the water
 /// that leaves is not taken off the mass of particles: for strains of some per cent.
 ///
-/// PoreWaterStep.hpp is the step, Seepage.hpp the sum over neighbours. Verified by test/unit/soil and tutorials/geomechanics/consolidation (Terzaghi's series).
+/// With `unsaturated` pores drain above a water table. Water that is sucked neither pushes grains nor gives way to them, and passes the pores that it still fills:
+///
+///   rho dv/dt = div(sigma - chi p I) + rho g,    C(p) dp/dt = -chi div v - div(k_r q),    chi = 1 for p > 0, else 0 (suction is cut off)
+///   S_e = min(1, max(0, 1 + p/(rho_w g h_c))),   k_r = k_min + (1 - k_min) S_e,           C = n/K_w, and S_y/(rho_w g h_c) more where 0 < S_e < 1
+///
+/// h_c [m] `capillaryHead`, S_y [1] `specificYield`, k_min [1] `leastRelativePermeability`, in the way of Bathe and Khoshgoftaar (1979, Int. J. Numer. Anal. Meth. Geomech. 3, 13), who let k fall where p is
+/// negative and so find the free surface of the water. The density of the soil stays that with its water.
+///
+/// PoreWaterStep.hpp is the step, Seepage.hpp the sum over neighbours, OuterWater.hpp what stands on the soil. Verified by test/unit/soil, tutorials/geomechanics/consolidation (Terzaghi's series) and
+/// damSeepage (discharge of a dam).
 #pragma once
 #include "base/StressTensor.hpp"
+#include "dictionary/positionExpression.hpp"
 #include "fields/fieldTags.hpp"
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sph
@@ -22,18 +35,44 @@ namespace sph
 // clang-format off
 struct PorePressure       { static constexpr FieldInfo info{"porePressure", "Pa", Image::ruled, nullptr, "porePressure"};              template<int dim, class Real = double> struct At { Real p_w; }; };
 struct PorePressureChange { static constexpr FieldInfo info{"porePressureChange", "Pa", Image::ruledChange, nullptr, "porePressure"};  template<int dim, class Real = double> struct At { Real dp_w; }; };
-/// -p I. Images have that of their source: what continues it through walls is in the total stress, by the weight of soil and water (ContinuedStress.hpp).
+struct RelativePermeability { static constexpr FieldInfo info{"relativePermeability", "1"};            template<int dim, class Real = double> struct At { Real k_r; }; };
+/// -dp I of a change that is tried. Images have that of their source: what continues it through walls is in the total stress, by the weight of soil and water (ContinuedStress.hpp).
 struct PoreStress         { static constexpr FieldInfo info{"poreStress", "Pa", Image::mirrored};  template<int dim, class Real = double> struct At { SymmTensor<dim, Real> S; }; };
 // clang-format on
 
 /// Acceleration by a change of the pore pressure, summed apart.
 inline constexpr const char* poreAcceleration = "dUdtByPorePressure";
 
-/// A wall of geometry: a pressure or a flux into the soil; nothing passes one with neither.
+/// A height of water that may vary with time, against gravity, from the origin: an expression of `$t`, and its value at present [m].
+struct WaterLevel
+{
+    std::string expression;
+    double now = 0;
+
+    bool varies() const { return expression.find('$') != std::string::npos; }
+    /// Throws ExpressionError where the expression gives no height.
+    double at(double t) const
+    {
+        const auto value = evaluateAt(expression, anyPlace, t);
+        if (value.vector || !std::isfinite(value.scalar)) throw ExpressionError("the result is not a height");
+        return value.scalar;
+    }
+};
+
+/// A wall of geometry: a pressure, water that stands behind it up to a level, or a flux into the soil; nothing passes one with none of them, nor what rises above the level.
 struct WaterAtWall
 {
     std::optional<double> pressure; ///< [Pa]
-    double flux = 0;                ///< [m/s]
+    std::optional<WaterLevel> level;
+    double flux = 0; ///< [m/s]
+};
+
+/// How pores drain where the water is sucked.
+struct Retention
+{
+    double capillaryHead = 0;     ///< h_c [m]
+    double specificYield = 0;     ///< S_y [1]
+    double leastPermeability = 0; ///< k_min [1]
 };
 
 /// Sums over a cubic lattice at rest, which those over particles are measured by.
@@ -66,17 +105,40 @@ struct PoreWater
     double bulkModulus = 1;    ///< K_w [Pa]
     double density = 1000;     ///< rho_w [kg/m^3]
     bool surfaceDrains = true; ///< p = 0 on free surfaces; else nothing passes them
+    bool projects = false;     ///< the divergence that grains have by a change of p is that of the forces, and no Laplacian
     double tolerance = 1e-6;   ///< of the solve, of the residual at its start [1]
     int maxIter = 1000;
     std::vector<WaterAtWall> walls;
+    std::optional<Retention> unsaturated; ///< none: pores are full, and suction pulls
+    std::optional<WaterLevel> level;      ///< of what stands on free surfaces; none: air
     LatticeSums lattice;
 
     /// m/s^2, of the unit weight that permeabilities are measured with, whatever gravity the scene has.
     static constexpr double standardGravity = 9.81;
     /// n/K_w [1/Pa]
     double storage() const { return porosity / bulkModulus; }
+    /// Whether solves need the Laplacian of the change that they try.
+    bool sumsChange() const { return !projects || permeability > 0; }
     /// kappa [m^2/(Pa s)]
     double mobility() const { return permeability / (density * standardGravity); }
+    /// S_e of a pressure p [Pa] under a gravity of g [m/s^2].
+    double saturation(double p, double g) const
+    {
+        return unsaturated ? std::clamp(1 + p / (density * g * unsaturated->capillaryHead), 0.0, 1.0) : 1.0;
+    }
+    /// k_r
+    double relativePermeability(double p, double g) const
+    {
+        return unsaturated ? unsaturated->leastPermeability + (1 - unsaturated->leastPermeability) * saturation(p, g) : 1.0;
+    }
+    /// C [1/Pa]
+    double capacity(double p, double g) const
+    {
+        const double head = unsaturated ? density * g * unsaturated->capillaryHead : 0;
+        return storage() + (p < 0 && p > -head ? unsaturated->specificYield / head : 0);
+    }
+    /// chi
+    double acts(double p) const { return unsaturated && !(p > 0) ? 0.0 : 1.0; }
 };
 
 }

@@ -1,8 +1,11 @@
 #include "models/soil/PoreWaterStep.hpp"
+#include "base/CaseError.hpp"
 #include "models/soil/Seepage.hpp"
 #include "models/soil/SoilFields.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "operators/VelocityGradient.hpp"
 #include "parallel/conjugateGradients.hpp"
+#include "soilLaws/soilLaws.hpp"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -13,8 +16,8 @@ namespace
 {
 /// Continuation of the pore pressure through a wall, q = d_g/d ratio of the distances:
 ///
-///   p_g = p_w - q (p - p_w)                                    behind a wall that drains, at the pressure p_w
-///   p_g = p - (1 + q) d (rho_w n.g - j/kappa)                  behind one that lets j [m/s] into the soil, or nothing
+///   p_g = p_w - q (p - p_w)                                    behind a wall that drains, at the pressure p_w; below a level at that of water at rest
+///   p_g = p - (1 + q) d (rho_w n.g - j/(k_r kappa))            behind one that lets j [m/s] into the soil, or nothing
 ///
 /// d [m] distance of the source, n normal into the soil. Of second order at a plane wall.
 template<int dim> class ContinuedPorePressure final : public GhostRule<double, dim>
@@ -27,13 +30,20 @@ public:
     double operator()(double p, std::size_t, const Reflection<dim>& r) const override
     {
         const auto& wall = water_.walls[std::size_t(r.wall)];
-        if (wall.pressure) return *wall.pressure - r.ratio * (p - *wall.pressure);
-        const double inflow = wall.flux != 0 ? wall.flux / water_.mobility() : 0;
+        if (const auto held = heldAt(r)) return *held - r.ratio * (p - *held);
+        const double inflow = wall.flux != 0 ? wall.flux / (water_.mobility() * water_.relativePermeability(p, mag(g_))) : 0;
         return p - (1 + r.ratio) * r.distance * (water_.density * dot(r.normal, in<dim>(g_)) - inflow);
     }
-    double change(double dp, const Reflection<dim>& r) const override
+    double change(double dp, const Reflection<dim>& r) const override { return heldAt(r) ? -r.ratio * dp : dp; }
+
+private:
+    /// The pressure that the wall has where the particle is mirrored; none where no water stands behind it.
+    std::optional<double> heldAt(const Reflection<dim>& r) const
     {
-        return water_.walls[std::size_t(r.wall)].pressure ? -r.ratio * dp : dp;
+        const auto& wall = water_.walls[std::size_t(r.wall)];
+        if (!wall.level) return wall.pressure;
+        const double g = mag(g_), p = water_.density * (g * wall.level->now + dot(g_, r.foot));
+        return p > 0 ? std::optional(p) : std::nullopt;
     }
 };
 
@@ -42,26 +52,64 @@ struct Nothing
 {
     Nothing& operator+=(const Nothing&) { return *this; }
 };
+
+/// Calls f with each level of water.
+void forEachLevel(PoreWater& water, const auto& f)
+{
+    if (water.level) f(*water.level);
+    for (auto& wall : water.walls)
+        if (wall.level) f(*wall.level);
+}
 }
 
 template<int dim>
-PoreWaterStep<dim>::PoreWaterStep(Particles<dim>& particles, const Numbers&) : water_(particles.coefficients().template of<PoreWater>())
+PoreWaterStep<dim>::PoreWaterStep(Particles<dim>& particles, const Numbers& restored)
+    : water_(particles.template numbersOf<PoreWater>()), g_(particles.coefficients().g)
 {
+    groups_ = {ofStrain, ofSeepage, ofPoreForce};
+    if (water_.sumsChange()) groups_.emplace_back(ofSeepageChange);
+    if (water_.projects) groups_.emplace_back(ofDivergence);
+    const auto time = restored.find(levelTime);
+    setLevels(time == restored.end() ? 0 : time->second);
     if (!particles.geometry().patches.empty())
         particles.images().rules().set(PorePressure{}, std::make_unique<ContinuedPorePressure<dim>>(water_, particles.coefficients()));
 }
 
 template<int dim> std::vector<Stage<dim>> PoreWaterStep<dim>::stages(JoinPoint place)
 {
+    const auto rise = [&](const char* name, const char* equation, double share) -> Stage<dim> {
+        return {name, equation, [this, share](Particles<dim>&, const Substep& s) { setLevels(s.time + share * s.deltaT); }};
+    };
+    if (place == JoinPoint::beforeDrift && levelsVary_) return {rise("water level", "level(t + dt/2)", 0.5)};
+    if (place == JoinPoint::atEnd && levelsVary_) return {rise("water level on", "level(t + dt)", 1)};
     if (place != JoinPoint::afterKick) return {};
-    return {{"pore pressure",
-             "(n/K_w/dt - kappa lap - dt/rho lap') dp = -div v + kappa lap p, conjugate gradients; p += dp, v += dt a(dp)",
-             [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); },
-             {ofStrain, ofSeepage, ofSeepageChange, ofPoreForce}}};
+    const bool drains = water_.unsaturated.has_value();
+    const auto equation = fmt::format("{} dp/dt - {} dp {} = {}, conjugate gradients; p += dp, v += dt a(dp)", drains ? "C" : "n/K_w",
+                                      drains ? "kappa div k_r grad" : "kappa lap",
+                                      water_.projects ? "+ dt div a(dp)"
+                                      : drains        ? "- dt/rho div chi grad dp"
+                                                      : "- dt/rho lap' dp",
+                                      drains ? "-chi div v + kappa div k_r (grad p - rho_w g)" : "-div v + kappa div (grad p - rho_w g)");
+    return {{"pore pressure", equation, [this](Particles<dim>& p, const Substep& s) { advance(p, s.deltaT); }, groups_}};
+}
+
+template<int dim> void PoreWaterStep<dim>::checkYield(double deltaT) const
+{
+    if (!water_.unsaturated) return;
+    const double head = water_.density * mag(g_) * water_.unsaturated->capillaryHead;
+    const double least = leastYield * water_.mobility() * deltaT * head / sqr(water_.lattice.spacing);
+    if (head > 0 && water_.unsaturated->specificYield < least)
+        throw CaseError(
+            {soilProperties, 0},
+            fmt::format("specificYield {:.3g} of `unsaturated` is so small that in a step of {:.3g} s the water table would leap to "
+                        "and fro. Choose {:.2g} or more, which comes to the same steady state; a smaller permeability or capillaryHead "
+                        "allows less",
+                        water_.unsaturated->specificYield, deltaT, least));
 }
 
 template<int dim> void PoreWaterStep<dim>::advance(Particles<dim>& particles, double deltaT)
 {
+    checkYield(deltaT);
     particles.evaluate(ofStrain);
     particles.evaluate(ofSeepage);
     auto& store = particles.store();
@@ -70,46 +118,72 @@ template<int dim> void PoreWaterStep<dim>::advance(Particles<dim>& particles, do
     const double* const lap = store.component(PoreLaplacian::info.name, 0);
     const double* const V = store.component(Volume::info.name, 0);
     double* const p = store.component(PorePressure::info.name, 0);
-    const double* const alpha = store.component(SurfaceDrainage::info.name, 0);
-    const double kappa = water_.mobility(), throughSurface = water_.surfaceDrains ? kappa : 0;
+    const auto x = std::as_const(store).pointers(Position{});
+    const double* const out = store.component(SurfaceOutflow::info.name, 0);
+    const double* const target = store.component(SurfaceTarget::info.name, 0);
+    const double kappa = water_.mobility();
     change_.resize(n);
     residual_.resize(n);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
-        residual_[i] = -trace(valueAt<Tensor<dim>>(L, i)) + kappa * lap[i] - throughSurface * alpha[i] * p[i];
+        residual_[i] = -water_.acts(p[i]) * trace(valueAt<Tensor<dim>>(L, i)) + kappa * (lap[i] - out[i] * (p[i] - target[i]));
     solve(particles, deltaT);
-    // The divergence is that before the water answers, an upper bound of what the pressure does.
-    const auto poreStress = store.pointers(PoreStress{});
     const double* const dp = change_.data();
-    power_ = sum(n,
-                 [&](std::size_t i)
-                 {
-                     const double divergence = trace(valueAt<Tensor<dim>>(L, i));
-                     const double mean = p[i] + 0.5 * dp[i];
-                     p[i] += dp[i];
-                     sph::store(-dp[i] * identity(SymmTensor<dim>{}), [&](int c, double q) { poreStress[std::size_t(c)][i] = q; });
-                     return V[i] * mean * divergence;
-                 });
-    particles.evaluate(ofPoreForce);
+    accelerate(particles, [&](std::size_t i) { return water_.acts(p[i] + dp[i]) * (p[i] + dp[i]) - water_.acts(p[i]) * p[i]; });
+    // The divergence is that before the water answers, an upper bound of what the pressure does.
     const auto v = store.pointers(Velocity{});
+    const OuterWater standing(particles.coefficients());
+    power_ =
+        sum(n,
+            [&](std::size_t i)
+            {
+                const double divergence = trace(valueAt<Tensor<dim>>(L, i));
+                const double mean = p[i] + 0.5 * dp[i], acts = water_.acts(p[i]);
+                p[i] += dp[i];
+                return V[i] * (acts * mean * divergence - dot(standing.gradient(valueAt<Vector<dim>>(x, i)), valueAt<Vector<dim>>(v, i)));
+            });
+    outflow_ = kappa * sum(n, [&](std::size_t i) { return V[i] * out[i] * (p[i] - target[i]); });
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
         for (int c = 0; c < dim; ++c) v[c][i] += deltaT * store.component(poreAcceleration, c)[i];
+}
+
+template<int dim> void PoreWaterStep<dim>::accelerate(Particles<dim>& particles, const auto& change)
+{
+    const auto S = particles.store().pointers(PoreStress{});
+    const std::size_t n = particles.size();
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i) store(-change(i) * identity(SymmTensor<dim>{}), [&](int c, double q) { S[std::size_t(c)][i] = q; });
+    particles.evaluate(ofPoreForce);
 }
 
 template<int dim> void PoreWaterStep<dim>::solve(Particles<dim>& particles, double deltaT)
 {
     auto& store = particles.store();
     const std::size_t n = particles.size();
-    const double storage = water_.storage() / deltaT, ofGrains = deltaT / particles.coefficients().restDensity[0];
-    const double diffusivity = water_.mobility() + ofGrains, atSurface = (water_.surfaceDrains ? water_.mobility() : 0) + ofGrains;
+    const double kappa = water_.mobility(), ofGrains = deltaT / particles.coefficients().restDensity[0], g = mag(g_);
+    const double* const p = store.component(PorePressure::info.name, 0);
     const double* const alpha = store.component(SurfaceDrainage::info.name, 0);
-    const double* const ofOthers = store.component(SeepageDiagonal::info.name, 0);
-    const double* const lap = store.component(LaplacianOfChange::info.name, 0);
-    double* const direction = store.component(PorePressureChange::info.name, 0);
-    const auto diagonal = [=](std::size_t i) { return storage + diffusivity * ofOthers[i] + atSurface * alpha[i]; };
-    const auto applied = [=](int, std::size_t i) { return (storage + atSurface * alpha[i]) * direction[i] - diffusivity * lap[i]; };
-    const auto apply = [&] { particles.evaluate(ofSeepageChange); };
+    const double* const out = store.component(SurfaceOutflow::info.name, 0);
+    const double* const flow = water_.sumsChange() ? store.component(LaplacianOfChange::info.name, 0) : nullptr;
+    const double* const flowDiagonal = store.component(SeepageDiagonal::info.name, 0);
+    const double* const grains = water_.projects ? nullptr : water_.unsaturated ? store.component(GrainsOfChange::info.name, 0) : flow;
+    const double* const grainDiagonal = water_.unsaturated ? store.component(GrainDiagonal::info.name, 0) : flowDiagonal;
+    if (!water_.sumsChange()) direction_.resize(n);
+    double* const direction = water_.sumsChange() ? store.component(PorePressureChange::info.name, 0) : direction_.data();
+    const double* const divergence = water_.projects ? store.component(DivergenceOfChange::info.name, 0) : nullptr;
+    const auto own = [=, this](std::size_t i) { return water_.capacity(p[i], g) / deltaT + kappa * out[i]; };
+    const auto diagonal = [=](std::size_t i) { return own(i) + kappa * flowDiagonal[i] + ofGrains * (alpha[i] + grainDiagonal[i]); };
+    const auto applied = [=](int, std::size_t i)
+    {
+        const double giveWay = divergence ? divergence[i] : ofGrains * (alpha[i] * direction[i] - grains[i]);
+        return own(i) * direction[i] - (flow ? kappa * flow[i] : 0) + giveWay;
+    };
+    const auto apply = [&]
+    {
+        if (divergence) project(particles, deltaT, direction);
+        if (flow) particles.evaluate(ofSeepageChange);
+    };
     double start = 0;
     const auto done = [&](const ResidualSums<Nothing>& now, int iterations)
     {
@@ -130,19 +204,50 @@ template<int dim> void PoreWaterStep<dim>::solve(Particles<dim>& particles, doub
         system, diagonal, apply, applied, [](std::size_t) { return Nothing{}; }, done);
 }
 
+template<int dim> void PoreWaterStep<dim>::project(Particles<dim>& particles, double deltaT, const double* change)
+{
+    auto& store = particles.store();
+    const double* const p = store.component(PorePressure::info.name, 0);
+    accelerate(particles, [&](std::size_t i) { return water_.acts(p[i]) * change[i]; });
+    const std::size_t n = particles.size();
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < n; ++i)
+        for (int c = 0; c < dim; ++c) store.component(VelocityChange::info.name, c)[i] = deltaT * store.component(poreAcceleration, c)[i];
+    particles.evaluate(ofDivergence);
+}
+
+template<int dim> void PoreWaterStep<dim>::setLevels(double t)
+{
+    levelTime_ = t;
+    forEachLevel(water_,
+                 [&](WaterLevel& level)
+                 {
+                     levelsVary_ = levelsVary_ || level.varies();
+                     level.now = level.at(t);
+                 });
+}
+
+template<int dim> void PoreWaterStep<dim>::save(Numbers& numbers) const
+{
+    if (levelsVary_) numbers[levelTime] = levelTime_;
+}
+
 template<int dim> Numbers PoreWaterStep<dim>::columns(const Particles<dim>& particles) const
 {
     if (particles.total() == 0) return {};
     const auto p = [of = particles.store().component(PorePressure::info.name, 0)](std::size_t i) { return of[i]; };
     return {{"minPorePressure", least(particles.size(), p)},
             {"maxPorePressure", most(particles.size(), p)},
+            {"surfaceOutflow", outflow_},
             {"poreIterations", double(iterations_)}};
 }
 
 template<int dim> std::string PoreWaterStep<dim>::report(const Particles<dim>& particles) const
 {
     const auto of = columns(particles);
-    return of.empty() ? "" : fmt::format("pore water: {:.6g} .. {:.6g} Pa\n", of.at("minPorePressure"), of.at("maxPorePressure"));
+    return of.empty() ? ""
+                      : fmt::format("pore water: {:.6g} .. {:.6g} Pa, {:.6g} m^3/s through free surfaces\n", of.at("minPorePressure"),
+                                    of.at("maxPorePressure"), outflow_);
 }
 
 template<int dim> std::string PoreWaterStep<dim>::note() const

@@ -5,6 +5,7 @@
 #include "models/soil/PoreWaterStep.hpp"
 #include "models/soil/Seepage.hpp"
 #include "models/soil/SoilFields.hpp"
+#include "operators/BalancedGradient.hpp"
 #include "soilLaws/soilLaws.hpp"
 #include <algorithm>
 #include <cmath>
@@ -26,16 +27,33 @@ const Scalar permeability{"permeability", units::mPerS, required, nonNegative,
     wallPorePressure{"porePressure", units::pressure, notGiven, anyNumber, "pressure at a wall that drains"},
     wallFlux{"flux", units::mPerS, notGiven, anyNumber, "what a wall lets into the soil, per area"},
     startPressure{"pressure", units::pressure, required, anyNumber, "the same everywhere"},
-    waterTable{"waterTable", units::m, required, anyNumber, "height, against gravity, from the origin, of p = 0; above it p is 0, too"};
+    waterTable{"waterTable", units::m, required, anyNumber,
+               "height, against gravity, from the origin, of p = 0; above it p is 0, too, and negative with unsaturated"},
+    capillaryHead{"capillaryHead", units::m, required, positive, "height above the water table over which pores drain"},
+    specificYield{"specificYield", units::none, required, positiveBelow(1), "share of the volume that drains there, at most the porosity"},
+    leastRelativePermeability{"leastRelativePermeability", units::none, 1e-3, positiveBelow(1),
+                              "permeability of drained pores over that of full ones"};
+const Text waterLevel{"waterLevel", notGiven,
+                      "height [m] of water that stands on free surfaces, against gravity, from the origin: a number, or an expression of "
+                      "`$t` [s]: \"8 - 0.1*$t\""},
+    wallLevel{"waterLevel", notGiven,
+              "height [m] of water that stands behind the wall, as a number or an expression of `$t`; nothing passes above it"};
+const SubDictionary unsaturated{"unsaturated", notGiven, "pores drain above the water table, and suction does not act on the grains"};
 const Count waterIterations{"maxIter", 1000, atLeast(1), "iterations of the solve at most"};
 const Choice freeSurface{"freeSurface",
                          {{"drained", "p = 0 on them"}, {"closed", "nothing passes, as through a membrane"}},
                          "drained",
                          "what free surfaces do to the water"};
+const Choice projection{
+    "projection",
+    {{"laplacian", "by a Laplacian: not within two rows of a free surface that is closed"},
+     {"exact", "by the divergence of the forces, with `stressDivergence balanced`: for undrained soil, two passes an iteration"}},
+    "laplacian",
+    "how the water foresees what its pressure does to the grains"};
 const SubDictionary waterWalls{"walls", notGiven, "pressure or flux at walls; nothing passes those that are left out"},
     waterInitial{"initial", byScene("the field porePressure of the time folder, else 0"),
                  "pore pressure at the start where there is no field of it"};
-const FreeName waterWall{"<wall>", "dictionary", "a wall of constant/geometry of that name, with porePressure or flux"};
+const FreeName waterWall{"<wall>", "dictionary", "a wall of constant/geometry of that name, with porePressure, waterLevel or flux"};
 
 Cases initialWaterCases()
 {
@@ -52,7 +70,10 @@ ListedEntry poreWaterEntries()
              entry::bulkModulus,
              entry::waterDensity,
              entry::freeSurface,
-             {entry::waterWalls, {{entry::waterWall, {entry::wallPorePressure, entry::wallFlux}}}},
+             entry::projection,
+             entry::waterLevel,
+             {entry::unsaturated, {entry::capillaryHead, entry::specificYield, entry::leastRelativePermeability}},
+             {entry::waterWalls, {{entry::waterWall, {entry::wallPorePressure, entry::wallLevel, entry::wallFlux}}}},
              {entry::waterInitial, {{entry::waterStart, entry::initialWaterCases()}}},
              entry::waterTolerance,
              entry::waterIterations}};
@@ -60,7 +81,35 @@ ListedEntry poreWaterEntries()
 
 namespace
 {
-std::vector<WaterAtWall> readWalls(const Dictionary& d, const Geometry& geometry, double permeability)
+std::optional<WaterLevel> readLevel(const Dictionary& d, const Text& level, Vector<3> g)
+{
+    const auto text = level.ifGiven(d);
+    if (!text) return {};
+    if (!(mag(g) > 0)) level.error(d, "a level of water needs gravity, `value` of constant/g");
+    WaterLevel read{*text};
+    try
+    {
+        read.now = read.at(0);
+    }
+    catch (const ExpressionError& e)
+    {
+        level.error(d, fmt::format("\"{}\": {}", *text, e.what()));
+    }
+    return read;
+}
+
+std::optional<Retention> readRetention(const Dictionary& d, double porosity, Vector<3> g)
+{
+    if (!entry::unsaturated.given(d)) return {};
+    const auto of = entry::unsaturated(d);
+    const Retention read{entry::capillaryHead.needed(of), entry::specificYield.needed(of), entry::leastRelativePermeability(of)};
+    if (!(mag(g) > 0)) entry::unsaturated.error(d, "there is no water table without gravity, `value` of constant/g");
+    if (read.specificYield > porosity)
+        entry::specificYield.error(of, fmt::format("{:.6g} is more than the porosity, {:.6g}", read.specificYield, porosity));
+    return read;
+}
+
+std::vector<WaterAtWall> readWalls(const Dictionary& d, const Geometry& geometry, double permeability, Vector<3> g)
 {
     std::vector<WaterAtWall> all(geometry.walls.size());
     const auto names = wallNames(geometry);
@@ -69,15 +118,20 @@ std::vector<WaterAtWall> readWalls(const Dictionary& d, const Geometry& geometry
     {
         if (!walls.isDictionary(name))
         {
-            walls.error(name, fmt::format("wall \"{0}\" must be a dictionary: {0} {{ porePressure 0; }}, or {0} {{ flux 1e-6; }}", name));
+            walls.error(
+                name,
+                fmt::format("wall \"{0}\" must be a dictionary: {0} {{ porePressure 0; }}, {0} {{ waterLevel 8; }} or {0} {{ flux 1e-6; }}",
+                            name));
             continue;
         }
         const auto of = walls.subDict(name);
         const auto pressure = entry::wallPorePressure.ifGiven(of), flux = entry::wallFlux.ifGiven(of);
+        const auto level = readLevel(of, entry::wallLevel, g);
         if (pressure && flux) entry::wallFlux.error(of, "the wall has a porePressure already: give one of the two");
+        if (level && (pressure || flux)) entry::wallLevel.error(of, "the wall has a porePressure or a flux already: give one of them");
         if (flux && !(permeability > 0)) entry::wallFlux.error(of, "a flux needs a permeability above 0");
         const auto found = std::ranges::find(names, name);
-        if (found != names.end()) all[std::size_t(found - names.begin())] = {pressure, flux.value_or(0)};
+        if (found != names.end()) all[std::size_t(found - names.begin())] = {pressure, level, flux.value_or(0)};
         else if (names.empty()) walls.error(name, "there are no walls in constant/geometry");
         else walls.error(name, fmt::format("wall \"{}\" is unknown. {}", name, suggestion(name, "walls", names)));
     }
@@ -113,7 +167,8 @@ InitialPorePressure readInitial(const Dictionary& d, const PoreWater& water, Vec
     {
         const double table = entry::waterTable.needed(initial);
         if (!(mag(g) > 0)) entry::waterStart.error(initial, "hydrostatic needs gravity, `value` of constant/g");
-        return [=, rho = water.density](Vector<3> x) { return rho * std::fmax(0.0, dot(g, x) + mag(g) * table); };
+        return [=, rho = water.density, least = water.unsaturated ? -HUGE_VAL : 0.0](Vector<3> x)
+        { return rho * std::fmax(least, dot(g, x) + mag(g) * table); };
     }
     const double p = type ? entry::startPressure.needed(initial) : 0;
     return [=](Vector<3>) { return p; };
@@ -150,11 +205,15 @@ InitialPorePressure readPoreWater(const Reading& reading, const Dictionary& ofSo
     water.bulkModulus = entry::bulkModulus(d);
     water.density = entry::waterDensity(d);
     water.surfaceDrains = entry::freeSurface(d) == "drained";
+    water.projects = entry::projection(d) == "exact";
     water.tolerance = entry::waterTolerance(d);
     water.maxIter = entry::waterIterations(d);
-    water.walls = readWalls(d, reading.geometry, water.permeability);
+    water.walls = readWalls(d, reading.geometry, water.permeability, settings.coefficients.g);
+    water.level = readLevel(d, entry::waterLevel, settings.coefficients.g);
+    water.unsaturated = readRetention(d, water.porosity, settings.coefficients.g);
     water.lattice = settings.coefficients.dimension == 2 ? sumsOnLattice<2>(settings.resolution) : sumsOnLattice<3>(settings.resolution);
-    const bool drains = water.surfaceDrains || std::ranges::any_of(water.walls, [](const auto& wall) { return wall.pressure.has_value(); });
+    const bool drains =
+        water.surfaceDrains || std::ranges::any_of(water.walls, [](const auto& wall) { return wall.pressure || wall.level; });
     if (water.permeability > 0 && !drains)
         entry::permeability.error(d, "no boundary drains, so that the water has nowhere to go: give a wall a porePressure in `walls`, take "
                                      "`freeSurface drained;`, or `permeability 0;` for undrained soil");
@@ -167,19 +226,29 @@ InitialPorePressure readPoreWater(const Reading& reading, const Dictionary& ofSo
 void selectPoreWater(const Reading& reading, const std::vector<std::string>& force)
 {
     auto& settings = reading.settings;
-    reading.select(StressOfPorePressure::name);
-    for (const auto& term : force) reading.select(term);
     settings.groups.push_back({.name = ofPoreForce,
                                .terms = force,
                                .changed = {PoreStress::info.name},
                                .names = {{Acceleration::info.name, poreAcceleration}},
                                .inputs = {PoreStress::info.name}});
-    settings.groups.push_back({.name = ofSeepage, .terms = {Seepage::name}});
-    settings.groups.push_back({.name = ofSeepageChange,
-                               .terms = {SeepageOfChange::name},
-                               .changed = {PorePressureChange::info.name},
-                               .inputs = {PorePressureChange::info.name},
-                               .repeats = true});
+    const auto& water = settings.coefficients.of<PoreWater>();
+    if (water.level) reading.select(LiftOfOuterWater::name);
+    settings.groups.push_back({.name = ofSeepage, .terms = {water.unsaturated ? UnsaturatedSeepage::name : Seepage::name}});
+    if (std::ranges::find(settings.shown, std::string(SeepageVelocity::info.name), [](const auto& field) { return field.first; }) !=
+        settings.shown.end())
+        settings.groups.back().terms.emplace_back(DarcyVelocity::name);
+    if (water.sumsChange())
+        settings.groups.push_back({.name = ofSeepageChange,
+                                   .terms = {water.unsaturated ? UnsaturatedSeepageOfChange::name : SeepageOfChange::name},
+                                   .changed = {PorePressureChange::info.name},
+                                   .inputs = {PorePressureChange::info.name},
+                                   .repeats = true});
+    if (water.projects)
+        settings.groups.push_back({.name = ofDivergence,
+                                   .terms = {BalancedDivergenceOfChange::name},
+                                   .changed = {VelocityChange::info.name},
+                                   .inputs = {VelocityChange::info.name},
+                                   .repeats = true});
     settings.runningModels.push_back(running<PoreWaterStep>());
 }
 

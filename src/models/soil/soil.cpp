@@ -2,6 +2,7 @@
 #include "case/phaseEntries.hpp"
 #include "geometry/makeWallLayers.hpp"
 #include "models/soil/Hourglass.hpp"
+#include "models/soil/OuterWater.hpp"
 #include "models/soil/SoilFields.hpp"
 #include "models/soil/StressUpdate.hpp"
 #include "models/soil/WallFriction.hpp"
@@ -60,10 +61,10 @@ const Choice smoothingActs{"smoothingActs",
 const Choices shown{
     "shown",
     "fields",
-    {"strainRate", "shearStrain", "plasticShearStrain", "stressWork"},
+    {"strainRate", "shearStrain", "plasticShearStrain", "stressWork", "seepageVelocity"},
     std::vector<std::string>{},
     "further fields of time folders: D; the integral of sqrt(2 dev D:dev D), to which elastic oscillation adds, and that of the plastic part of D "
-    "alone, with laws druckerPrager and mohrCoulomb; the integral of sigma:D"};
+    "alone, with laws druckerPrager and mohrCoulomb; the integral of sigma:D; and what seeps, per area of soil, with poreWater"};
 const Scalar compactionSpeed{
     "compactionSpeed", units::mPerS, 0, nonNegative,
     "speed of sound of what pushes soil apart where it is denser than 1.05 rho; about 10 times the largest velocity, in flows"};
@@ -73,7 +74,7 @@ Cases initialCases()
     return {
         {{"isotropic", "the same pressure everywhere"}, {pressure}},
         {{"geostatic",
-          "at rest under gravity: vertical stress rho g depth, lateral K0 of it; confiningPressure on the surface, or floorPressure at least"},
+          "at rest under gravity: vertical stress rho g depth, lateral K0 of it; confiningPressure and water on the surface, or floorPressure at least"},
          {surface, K0}}};
 }
 const Choice type{"type", wordsOf(initialCases()), required, "what it is"};
@@ -114,9 +115,10 @@ double readSurfacePressure(const Dictionary& dict, const Soil& soil)
     return confining.value_or(floor);
 }
 
-/// `water`: null, or the pore pressure at the start, which geostatic stresses are less by.
-InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector<3> g, const InitialPorePressure& water)
+/// `water`: null, or the pore pressure at the start, which geostatic stresses are less by, as they are more by what stands on the surface.
+InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, const Coefficients& c, const InitialPorePressure& water)
 {
+    const auto g = c.g;
     const auto d = entry::initialStress.needed(dict);
     const SymmTensor<3> I{1, 0, 0, 1, 0, 1};
     const auto type = entry::type.known(d);
@@ -139,10 +141,11 @@ InitialStress readInitialStress(const Dictionary& dict, const Soil& soil, Vector
     }
     const auto ofLaw = earthPressureOf(soil);
     const double K = ofLaw ? entry::K0(d, *ofLaw) : entry::K0.needed(d);
+    const double onSurface = confining.value_or(0) + OuterWater(c).pressure(-surface / mag(g) * g);
     return [=, rho = soil.rho, floor = soil.integration.floorPressure](Vector<3> x)
     {
         const auto down = 1 / mag(g) * g;
-        const double depth = surface + dot(down, x), total = rho * mag(g) * depth + confining.value_or(0);
+        const double depth = surface + dot(down, x), total = rho * mag(g) * depth + onSurface;
         const double vertical = std::fmax(total - (water ? water(x) : 0), floor);
         return -vertical * (outer(down) + K * (I - outer(down)));
     };
@@ -333,7 +336,7 @@ void prepare(const Reading& reading)
         entry::rho.error(dict, fmt::format("{:.6g} kg/m^3 is not the density of {} in constant/phaseProperties, {:.6g} kg/m^3", soil.rho,
                                            c.phases[0], c.restDensity[0]));
     const auto water = readPoreWater(reading, dict);
-    const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c.g, water) : nullptr;
+    const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c, water) : nullptr;
     SoilNumbers numbers;
     numbers.surfacePressure = readSurfacePressure(dict, soil);
     c.set(numbers);
@@ -342,9 +345,13 @@ void prepare(const Reading& reading)
     dict.reportUnused();
     settings.state.push_back({.value = stateField(SoilSound{}), .advancedByModel = true, .written = false});
     for (const auto& field : entry::shown(entry::soil(reading.schemes)))
-        if (field == StrainRate::info.name) settings.shown.emplace_back(field, field);
+        if (field == StrainRate::info.name || field == SeepageVelocity::info.name) settings.shown.emplace_back(field, field);
         else settings.state.push_back({.value = integralOf(field), .advancedByModel = true, .ofMaterial = true});
     refusePlasticStrain(reading, soil);
+    if (!water && std::ranges::find(settings.shown, std::string(SeepageVelocity::info.name),
+                                    [](const auto& field) { return field.first; }) != settings.shown.end())
+        entry::shown.error(entry::soil(reading.schemes),
+                           "seepageVelocity is that of `poreWater` in constant/soilProperties, which is not there");
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
     if (reading.geometry.withFriction())
     {
@@ -417,7 +424,7 @@ void read(const Reading& reading)
     if (isTensionless(soil) && soil.integration.stressFree == StressFree::floor) numbers.floorPressure = soil.integration.floorPressure;
     c.set(numbers);
     c.set(corrected);
-    for (const auto* term : {"meanPressure", "actingStress"}) reading.select(term);
+    for (const auto* term : {"meanPressure", c.has<PoreWater>() ? "totalStress" : "actingStress"}) reading.select(term);
     const bool balanced = divergence == "balanced";
     const std::string gradient = balanced ? "balancedVelocityGradient" : "velocityGradient";
     const auto [ofSoil, ofWater] = divergenceTerms(divergence);
@@ -459,6 +466,13 @@ const Model& soilModel()
           "the stress of soil lives in the middle of steps, with one evaluation there, or at the ends of Verlet's: take scheme symplecticEuler, leapfrog or verlet"},
          {"integration", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.integration.scheme != "symplecticEuler"; },
           "poreWater is solved for between the velocities of a step's end and its strain: take scheme symplecticEuler"},
+         {"soil",
+          [](const Settings& s)
+          {
+              return s.coefficients.has<PoreWater>() && s.coefficients.of<PoreWater>().projects &&
+                     std::ranges::find(s.terms, std::string("balancedSoilStress")) == s.terms.end();
+          },
+          "`projection exact;` of poreWater solves for a divergence whose adjoint is the force: take `stressDivergence balanced;` in `soil`"},
          {"walls", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.has(entry::walls, "layers"); },
           "pore water meets walls by ghosts that mirror the soil: take walls reflected"},
          {"integration",

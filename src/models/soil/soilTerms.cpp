@@ -1,6 +1,7 @@
 #include "models/soil/soilTerms.hpp"
 #include "models/soil/ActingStress.hpp"
 #include "models/soil/Hourglass.hpp"
+#include "models/soil/OuterWater.hpp"
 #include "models/soil/Seepage.hpp"
 #include "models/soil/SoilViscosity.hpp"
 #include "models/soil/StressNoise.hpp"
@@ -41,7 +42,7 @@ struct BalancedSoilStress : BalancedDivergenceOf<ActingStress>
 {
     static constexpr auto name = "balancedSoilStress";
 };
-/// The same forms of -p I.
+/// The same forms of -p I, for a change of p.
 struct PoreStressDivergence : DivergenceOf<PoreStress>
 {
     static constexpr auto name = "poreStressDivergence";
@@ -64,10 +65,11 @@ struct BalancedPoreStress : BalancedDivergenceOf<PoreStress>
 
 template<int dim> Catalogue<dim> soilTerms()
 {
-    return catalogue<dim, StressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference, SoilStressAtSurface,
-                     BalancedSoilStress, FitOfUnstrained, HourglassForce, OffFitOfUnstrained, AdvanceUnstrained, SoilViscosity,
-                     SoilNoiseViscosity, StressOffLine, StrainRateOfGradient, StressOfPorePressure, PoreStressDivergence,
-                     PoreStressDifference, PoreStressAtSurface, BalancedPoreStress, SurfaceOfSoil, Seepage, SeepageOfChange>();
+    return catalogue<dim, StressOnNeighbours, TotalStressOnNeighbours, MeanPressure, SoilStressDivergence, SoilStressDifference,
+                     SoilStressAtSurface, BalancedSoilStress, FitOfUnstrained, HourglassForce, OffFitOfUnstrained, AdvanceUnstrained,
+                     SoilViscosity, SoilNoiseViscosity, StressOffLine, StrainRateOfGradient, PoreStressDivergence, PoreStressDifference,
+                     PoreStressAtSurface, BalancedPoreStress, SurfaceOfSoil, LiftOfOuterWater, PermeabilityOfSaturation, Seepage,
+                     SeepageOfChange, UnsaturatedSeepage, UnsaturatedSeepageOfChange, DarcyVelocity>();
 }
 
 template Catalogue<2> soilTerms<2>();

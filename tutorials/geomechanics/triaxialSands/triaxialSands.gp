@@ -38,6 +38,7 @@ set key bottom left
 set ylabel 'pore pressure [kPa]'
 set yrange [-150:100]
 plot tables.'denseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 1 title 'dense', tables.'looseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 2 title 'loose', \
+    "<tr '\\t' , < run/undrained-dense/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$5) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr '\\t' , < run/undrained-loose/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$5) with points pt 2 ps 0.7 lc 'black' notitle, \
     'reference/undrained.csv' using (is(0.6)*100*$5):(1e-3*$8) with points pt 6 ps 0.9 lc 'black' notitle, '' using (is(0.8)*100*$5):(1e-3*$8) with points pt 6 ps 0.9 lc 'black' notitle
 set autoscale
 set title 'oedometer, e = 0.58'
