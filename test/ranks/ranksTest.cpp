@@ -180,6 +180,28 @@ Files periodicOpenCase()
 Files layeredChannelCase() { return inLayers(channelCase()); }
 Files layeredSoilCase() { return inLayers(soilCase()); }
 
+/// With water in its pores, that of a level which falls before it; or that of a membrane.
+Files saturatedSoilCase(const std::string& ofWater)
+{
+    auto files = soilCase();
+    files["constant/soilProperties"] =
+        "rho 1850;\nlaw elastic;\nelasticCoeffs { E 1e6; nu 0.3; }\nporeWater { porosity 0.4; tolerance 1e-9; " + ofWater + " }\n";
+    auto& control = files["system/controlDict"];
+    control.replace(control.find("endTime 0.08"), 12, "endTime 0.04");
+    return files;
+}
+Files wetSoilCase()
+{
+    return saturatedSoilCase("permeability 1e-3; waterLevel \"0.3 - $t\"; unsaturated { capillaryHead 0.05; specificYield 0.01; } "
+                             "walls { left { waterLevel 0.4; } } initial { type hydrostatic; waterTable 0.3; }");
+}
+Files undrainedSoilCase()
+{
+    auto files = saturatedSoilCase("permeability 0; bulkModulus 1e7; freeSurface closed; projection exact;");
+    files["system/sphSchemes"] += "soil { stressDivergence balanced; }\n";
+    return files;
+}
+
 TEST_P(Ranks, GiveTheSameAnswer)
 {
     const Prepared c(GetParam().files());
@@ -642,7 +664,8 @@ TEST(EstimateOfRanks, RefusesWhatMakesNoSense)
 INSTANTIATE_TEST_SUITE_P(Scenes, Ranks,
                          testing::Values(Scene{"channel", watchedCase, 1e-9}, Scene{"drop", dropCase, 1e-9},
                                          Scene{"grain", grainCase, 1e-9}, Scene{"column", columnCase, 1e-9}, Scene{"bed", bedCase, 1e-9},
-                                         Scene{"soil", soilCase, 1e-9}, Scene{"suspension", suspensionCase, 1e-9},
+                                         Scene{"soil", soilCase, 1e-9}, Scene{"wetSoil", wetSoilCase, 1e-7},
+                                         Scene{"undrainedSoil", undrainedSoilCase, 1e-7}, Scene{"suspension", suspensionCase, 1e-9},
                                          Scene{"openChannel", openCase, 1e-9}, Scene{"periodicOpenChannel", periodicOpenCase, 1e-9},
                                          Scene{"layersOfTwo", layersCase, 1e-9}, Scene{"drip", dripCase, 1e-9},
                                          Scene{"filling", fillingCase, 1e-9}, Scene{"layeredChannel", layeredChannelCase, 1e-9},

@@ -10,7 +10,7 @@
 ///
 /// With `unsaturated` pores drain above a water table. Water that is sucked neither pushes grains nor gives way to them, and passes the pores that it still fills:
 ///
-///   rho dv/dt = div(sigma - chi p I) + rho g,    C(p) dp/dt = -chi div v - div(k_r q),    chi = 1 for p > 0, else 0 (suction is cut off)
+///   rho dv/dt = div(sigma - chi p I) + rho g,    C(p) dp/dt = -chi div v - div(k_r q),    chi = 0 for p < 0, else 1 (suction is cut off)
 ///   S_e = min(1, max(0, 1 + p/(rho_w g h_c))),   k_r = k_min + (1 - k_min) S_e,           C = n/K_w, and S_y/(rho_w g h_c) more where 0 < S_e < 1
 ///
 /// h_c [m] `capillaryHead`, S_y [1] `specificYield`, k_min [1] `leastRelativePermeability`, in the way of Bathe and Khoshgoftaar (1979, Int. J. Numer. Anal. Meth. Geomech. 3, 13), who let k fall where p is
@@ -138,7 +138,9 @@ struct PoreWater
         return storage() + (p < 0 && p > -head ? unsaturated->specificYield / head : 0);
     }
     /// chi
-    double acts(double p) const { return unsaturated && !(p > 0) ? 0.0 : 1.0; }
+    double acts(double p) const { return unsaturated && p < 0 ? 0.0 : 1.0; }
+    /// The same of k_r, which images have of their source whatever their pressure.
+    static double actsAt(double k_r) { return k_r < 1 ? 0.0 : 1.0; }
 };
 
 }

@@ -170,7 +170,8 @@ struct UnsaturatedSeepage : SeepageWeight
     {
         const double w = weight(ij, i, j), k = 0.5 * (i.k_r + j.k_r);
         return Sums<dimensions(decltype(ij.x){})>{w * k * headDifference(ij, i, j), w * k,
-                                                  0.5 * w * (water->acts(i.p_w) + water->acts(j.p_w)), w * j.isSurface, -w * ij.x};
+                                                  0.5 * w * (PoreWater::actsAt(i.k_r) + PoreWater::actsAt(j.k_r)), w * j.isSurface,
+                                                  -w * ij.x};
     }
     template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
     {
@@ -186,7 +187,7 @@ struct UnsaturatedSeepageOfChange : SeepageWeight
 {
     static constexpr auto name = "unsaturatedSeepageOfChange";
     using Provides = Fields<LaplacianOfChange, GrainsOfChange>;
-    using Reads = Fields<Volume, PorePressure, PorePressureChange, RelativePermeability>;
+    using Reads = Fields<Volume, PorePressureChange, RelativePermeability>;
     using SeepageWeight::SeepageWeight;
     template<int dim> struct Sums
     {
@@ -197,7 +198,7 @@ struct UnsaturatedSeepageOfChange : SeepageWeight
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
         const double w = 0.5 * weight(ij, i, j) * (j.dp_w - i.dp_w);
-        return Sums<dimensions(decltype(ij.x){})>{w * (i.k_r + j.k_r), w * (water->acts(i.p_w) + water->acts(j.p_w))};
+        return Sums<dimensions(decltype(ij.x){})>{w * (i.k_r + j.k_r), w * (PoreWater::actsAt(i.k_r) + PoreWater::actsAt(j.k_r))};
     }
     template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
     {
