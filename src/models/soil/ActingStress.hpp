@@ -30,7 +30,7 @@ struct StressOnNeighbours
     }
 };
 
-/// With water in the pores.
+/// S of soil with water in its pores.
 struct TotalStressOnNeighbours : StressOnNeighbours
 {
     static constexpr auto name = "totalStress";

@@ -31,7 +31,7 @@ struct KernelSlope       { static constexpr FieldInfo info{"kernelSlope", "1/m"}
 struct PoreLaplacian     { static constexpr FieldInfo info{"porePressureLaplacian", "Pa/m^2"};        template<int dim, class Real = double> struct At { Real lap; }; };
 struct LaplacianOfChange { static constexpr FieldInfo info{"porePressureChangeLaplacian", "Pa/m^2"};  template<int dim, class Real = double> struct At { Real lap; }; };
 struct SurfaceDrainage   { static constexpr FieldInfo info{"surfaceDrainage", "1/m^2"};               template<int dim, class Real = double> struct At { Real alpha; }; };
-/// What free surfaces let pass, k alpha, or 0, and the p_t that it draws to.
+/// Free surfaces let pass k alpha (p - p_t), or nothing: the two factors.
 struct SurfaceOutflow    { static constexpr FieldInfo info{"surfaceOutflow", "1/m^2"};                template<int dim, class Real = double> struct At { Real outflow; }; };
 struct SurfaceTarget     { static constexpr FieldInfo info{"surfaceTarget", "Pa"};                    template<int dim, class Real = double> struct At { Real p_t; }; };
 struct SeepageDiagonal   { static constexpr FieldInfo info{"seepageDiagonal", "1/m^2"};               template<int dim, class Real = double> struct At { Real diagonal; }; };
@@ -87,7 +87,7 @@ struct SeepageWeight
     {
         return j.p_w - i.p_w + water->density * dot(in<dimensions(decltype(ij.x){})>(g), ij.x);
     }
-    /// What leaves a particle through a free surface at the depth d, of which sum_j w_ij x_ji is `inwards`: k alpha, and p_t.
+    /// The factors k alpha and p_t of a particle at the depth d below a free surface, whose sum_j w_ij x_ji is `inwards`.
     template<int dim> std::pair<double, double> outflow(const auto& i, double k, double alpha, double d, Vector<dim> inwards) const
     {
         if (!(alpha > 0) || !water->surfaceDrains) return {0, 0};

@@ -131,6 +131,12 @@ TEST(Figures, LookUpsInOtherTables)
     EXPECT_EQ(at("0.5", ""), "5");
     EXPECT_EQ(at("0.5", "match exact; "), "20");
     EXPECT_EQ(at("7", ""), ""); // no row has it
+    // A word of the run's in the name of the table.
+    EXPECT_EQ(
+        firstLine(
+            "t { against x; runs (\"run/{a}\"); table conservation; figures ( { name n; operation first; value \"$q\"; lookUps ( { name "
+            "q; table \"reference/p<1>th.csv\"; select { kind x; } key \"$strain\"; at \"0.25\"; value \"$q\"; } ); } ); }"),
+        "a,n,2.5,-");
 }
 
 // What is wrong is said at the entry, with what there is in its place.
