@@ -26,7 +26,7 @@ plot tables.'dense.csv' using (100*$1):'voidRatio [-]' with lines ls 1 title 'de
 set title 'undrained, 100 kPa'
 set xlabel "p' [kPa]"
 set ylabel 'q [kPa]'
-set key bottom right
+set key top left
 set xrange [0:250]
 set yrange [0:300]
 plot tables.'denseUndrained.csv' using (1e-3*column('p [Pa]')):@q with lines ls 1 title 'dense, e = 0.6', tables.'looseUndrained.csv' using (1e-3*column('p [Pa]')):@q with lines ls 2 title 'loose, e = 0.8', \
@@ -34,7 +34,7 @@ plot tables.'denseUndrained.csv' using (1e-3*column('p [Pa]')):@q with lines ls 
     1.2*x with lines dt 2 lc 'black' title 'critical state, 30 degrees'
 set autoscale
 set xlabel 'axial compression [%]'
-set key bottom left
+set key center right
 set ylabel 'pore pressure [kPa]'
 set yrange [-150:100]
 plot tables.'denseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 1 title 'dense', tables.'looseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 2 title 'loose', \
