@@ -27,15 +27,22 @@ public:
     template<int dim> double pressure(Vector<dim> x) const
     {
         if (!water_) return 0;
-        const double g = mag(g_), depth = water_->level->now + (g > 0 ? dot(in<dim>(g_), x) / g : 0), a = 0.5 * water_->lattice.spacing;
-        return water_->density * g * (depth <= -a ? 0 : depth < a ? sqr(depth + a) / (4 * a) : depth);
+        const double depth = depthOf(x), a = 0.5 * water_->lattice.spacing;
+        return water_->density * mag(g_) * (depth <= -a ? 0 : depth < a ? sqr(depth + a) / (4 * a) : depth);
     }
     /// grad p_o
     template<int dim> Vector<dim> gradient(Vector<dim> x) const
     {
         if (!water_) return {};
-        const double g = mag(g_), depth = water_->level->now + (g > 0 ? dot(in<dim>(g_), x) / g : 0);
-        return water_->density * std::clamp(depth / water_->lattice.spacing + 0.5, 0.0, 1.0) * in<dim>(g_);
+        return water_->density * std::clamp(depthOf(x) / water_->lattice.spacing + 0.5, 0.0, 1.0) * in<dim>(g_);
+    }
+
+private:
+    /// Below the level [m].
+    template<int dim> double depthOf(Vector<dim> x) const
+    {
+        const double g = mag(g_);
+        return water_->level->now + (g > 0 ? dot(in<dim>(g_), x) / g : 0);
     }
 };
 

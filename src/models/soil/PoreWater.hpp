@@ -20,7 +20,7 @@
 /// damSeepage (discharge of a dam).
 #pragma once
 #include "base/StressTensor.hpp"
-#include "dictionary/positionExpression.hpp"
+#include "dictionary/Expression.hpp"
 #include "fields/fieldTags.hpp"
 #include <algorithm>
 #include <array>
@@ -53,7 +53,12 @@ struct WaterLevel
     /// Throws ExpressionError where the expression gives no height.
     double at(double t) const
     {
-        const auto value = evaluateAt(expression, anyPlace, t);
+        const auto value = evaluate(expression,
+                                    [t](const std::string& name) -> ExpressionValue
+                                    {
+                                        if (name == "t") return {t};
+                                        throw ExpressionError("$" + name + " is unknown here. Known: $t");
+                                    });
         if (value.vector || !std::isfinite(value.scalar)) throw ExpressionError("the result is not a height");
         return value.scalar;
     }

@@ -219,12 +219,20 @@ template<int dim> void PoreWaterStep<dim>::project(Particles<dim>& particles, do
 template<int dim> void PoreWaterStep<dim>::setLevels(double t)
 {
     levelTime_ = t;
-    forEachLevel(water_,
-                 [&](WaterLevel& level)
-                 {
-                     levelsVary_ = levelsVary_ || level.varies();
-                     level.now = level.at(t);
-                 });
+    forEachLevel(
+        water_,
+        [&](WaterLevel& level)
+        {
+            levelsVary_ = levelsVary_ || level.varies();
+            try
+            {
+                level.now = level.at(t);
+            }
+            catch (const ExpressionError& e)
+            {
+                throw CaseError({soilProperties, 0}, fmt::format("waterLevel \"{}\" at {:.6g} s: {}", level.expression, t, e.what()));
+            }
+        });
 }
 
 template<int dim> void PoreWaterStep<dim>::save(Numbers& numbers) const

@@ -104,7 +104,7 @@ std::optional<Retention> readRetention(const Dictionary& d, double porosity, Vec
     const auto of = entry::unsaturated(d);
     const Retention read{entry::capillaryHead.needed(of), entry::specificYield.needed(of), entry::leastRelativePermeability(of)};
     if (!(mag(g) > 0)) entry::unsaturated.error(d, "there is no water table without gravity, `value` of constant/g");
-    if (read.specificYield > porosity)
+    if (entry::specificYield.given(of) && read.specificYield > porosity)
         entry::specificYield.error(of, fmt::format("{:.6g} is more than the porosity, {:.6g}", read.specificYield, porosity));
     return read;
 }

@@ -355,6 +355,21 @@ TEST(PoreWater, IsOnRequest)
     EXPECT_FALSE(scene.settings.coefficients.has<PoreWater>());
 }
 
+TEST(PoreWater, LevelThatEndsMeanwhileIsNamed)
+{
+    const CaseScene scene(Column{.load = 0, .ofWater = "waterLevel \"1 + sqrt(0.005 - $t)\";", .gravity = "-9.81"}.files());
+    ASSERT_EQ(scene.errors, "");
+    try
+    {
+        runTo(*scene.simulation, 0.02);
+        FAIL();
+    }
+    catch (const CaseError& e)
+    {
+        EXPECT_PRED2(sph::says, std::string(e.what()), "constant/soilProperties: waterLevel \"1 + sqrt(0.005 - $t)\" at 0.0");
+    }
+}
+
 // Pores that hold next to nothing would drain and fill in turns.
 TEST(PoreWater, WaterTableThatWouldLeapIsRefused)
 {
@@ -414,7 +429,8 @@ TEST(PoreWater, MistakesSayWhereAndWhat)
                  "constant/soilProperties:5: 0.5 is more than the porosity, 0.4");
     EXPECT_PRED2(sph::says, withDam("waterLevel 0.25;", "waterLevel \"vector(1, 0, 0)\";"),
                  "constant/soilProperties:4: \"vector(1, 0, 0)\"");
-    EXPECT_PRED2(sph::says, withDam("waterLevel 0.25;", "waterLevel \"1 - $time\";"), "$time is unknown here");
+    EXPECT_PRED2(sph::says, withDam("waterLevel 0.25;", "waterLevel \"1 - $time\";"), "$time is unknown here. Known: $t");
+    EXPECT_PRED2(sph::says, withDam("waterLevel 0.25;", "waterLevel \"1 - $x\";"), "$x is unknown here. Known: $t");
     auto dry = Column{.load = 0, .more = "soil { shown (seepageVelocity); }"}.files();
     auto& properties = dry["constant/soilProperties"];
     properties.erase(properties.find("poreWater"));
