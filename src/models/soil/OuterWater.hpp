@@ -46,16 +46,17 @@ private:
     }
 };
 
-/// -grad p_o/rho
+/// -grad p_o/max(rho, rho_0): a grain that is thrown ahead loses density as it leaves the others, and displaces no more water for it.
 struct LiftOfOuterWater
 {
     static constexpr auto name = "outerWater";
     using Adds = Acceleration;
     using ReadsOwn = Fields<Position, Density>;
     OuterWater standing;
+    double rho_0;
 
-    explicit LiftOfOuterWater(const Coefficients& c) : standing(c) {}
-    auto operator()(const auto& i) const { return -1 / i.rho * standing.gradient(i.x); }
+    explicit LiftOfOuterWater(const Coefficients& c) : standing(c), rho_0(c.restDensity[0]) {}
+    auto operator()(const auto& i) const { return -1 / std::fmax(i.rho, rho_0) * standing.gradient(i.x); }
 };
 
 }

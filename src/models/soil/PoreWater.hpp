@@ -85,6 +85,7 @@ struct LatticeSums
 {
     double spacing = 1;          ///< [m]
     double secondMoment = 1;     ///< -1/d sum_j V (dW/dr) r, 1 in the continuum
+    double weight = 0;           ///< sum_j w_ij/V of Seepage.hpp [1/m^2]
     int rows = 0;                ///< rows below a plane surface that lack neighbours
     std::array<double, 8> m_1{}; ///< first moment of the slope in each, |sum_j V (dW/dr)/r x_ij| [1/m]
 

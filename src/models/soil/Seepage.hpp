@@ -11,7 +11,8 @@
 ///
 /// by which the sum is 0 for a p that is linear in the depth, however the particles lie: the neighbours that are missing have the first moment that the others lack. d from the first moment of the raw slope (LatticeSums),
 /// and only beside particles of the surface: a lattice in disorder has first moments, too. n points along the missing neighbours. Unsaturated soil in air lets water out, where p_i > p_t, and none in: a face that seeps ends
-/// where the water table leaves it, at the p of the step before.
+/// where the water table leaves it, at the p of the step before. A grain that has left the soil, lambda below 0.1, has p_o of its own place all around it, alpha = sum of w/V on a lattice: what is torn apart would keep the
+/// suction of that moment for good.
 ///
 /// p [Pa], V [m^3], W [1/m^3], alpha [1/m^2], k_r [1]. Verified by test/unit/soil (linear and quadratic pressures below a surface; conservation).
 #pragma once
@@ -41,6 +42,9 @@ struct GrainDiagonal     { static constexpr FieldInfo info{"grainDiagonal", "1/m
 struct SeepageVelocity   { static constexpr FieldInfo info{"seepageVelocity", "m/s", Image::mirrored}; template<int dim, class Real = double> struct At { Vector<dim, Real> q; }; };
 // clang-format on
 
+/// Values of SurfaceRow.
+inline constexpr double surfaceRow = 1, loneGrain = 2;
+
 template<int dim> struct SlopeMoments
 {
     SymmTensor<dim> B;
@@ -57,6 +61,7 @@ struct SurfaceOfSoil
     static constexpr bool ofRawGradient = true;
     /// lambda is 0.49 in the first row below a plane surface, 0.84 and more in the second, 0.8 and more in disorder.
     static constexpr double mostAtSurface = 0.7;
+    static constexpr double mostOfLoneGrain = 0.1;
 
     auto operator()(const auto& ij, const auto&, const auto& j) const
     {
@@ -65,7 +70,11 @@ struct SurfaceOfSoil
     }
     auto finish(const auto&, const auto& sum) const
     {
-        return Values<Provides, dimensions(decltype(sum.m_1){})>{{leastEigenvalue(sum.B) < mostAtSurface ? 1.0 : 0.0}, {mag(sum.m_1)}};
+        const double lambda = leastEigenvalue(sum.B);
+        return Values<Provides, dimensions(decltype(sum.m_1){})>{{lambda < mostOfLoneGrain ? loneGrain
+                                                                  : lambda < mostAtSurface ? surfaceRow
+                                                                                           : 0.0},
+                                                                 {mag(sum.m_1)}};
     }
 };
 
@@ -87,11 +96,18 @@ struct SeepageWeight
     {
         return j.p_w - i.p_w + water->density * dot(in<dimensions(decltype(ij.x){})>(g), ij.x);
     }
+    /// d and alpha, of the sums of w_ij of neighbours at the surface, and of w_ij x_ji.
+    template<int dim> std::pair<double, double> surface(const auto& i, double besideSurface, Vector<dim> inwards) const
+    {
+        if (i.isSurface == loneGrain) return {0, water->lattice.weight};
+        const double d = i.isSurface + besideSurface > 0 ? water->lattice.depth(i.m_1) : 0;
+        return {d, d > 0 ? mag(inwards) / (i.V * d) : 0};
+    }
     /// The factors k alpha and p_t of a particle at the depth d below a free surface, whose sum_j w_ij x_ji is `inwards`.
     template<int dim> std::pair<double, double> outflow(const auto& i, double k, double alpha, double d, Vector<dim> inwards) const
     {
         if (!(alpha > 0) || !water->surfaceDrains) return {0, 0};
-        const auto toSurface = -d / mag(inwards) * inwards;
+        const auto toSurface = d > 0 ? -d / mag(inwards) * inwards : 0 * inwards;
         const double outside = standing.pressure(i.x + toSurface), target = outside - water->density * dot(in<dim>(g), toSurface);
         return {water->unsaturated && !(outside > 0) && !(i.p_w > target) ? 0 : k * alpha, target};
     }
@@ -119,8 +135,7 @@ struct Seepage : SeepageWeight
     }
     template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
     {
-        const double d = i.isSurface + sum.besideSurface > 0 ? water->lattice.depth(i.m_1) : 0;
-        const double alpha = d > 0 ? mag(sum.inwards) / (i.V * d) : 0;
+        const auto [d, alpha] = surface(i, sum.besideSurface, sum.inwards);
         const auto [out, target] = outflow(i, 1, alpha, d, sum.inwards);
         return Values<Provides, dim>{{sum.flow / i.V}, {alpha}, {out}, {target}, {sum.weight / i.V}};
     }
@@ -175,8 +190,7 @@ struct UnsaturatedSeepage : SeepageWeight
     }
     template<int dim> auto finish(const auto& i, const Sums<dim>& sum) const
     {
-        const double d = i.isSurface + sum.besideSurface > 0 ? water->lattice.depth(i.m_1) : 0;
-        const double alpha = d > 0 ? mag(sum.inwards) / (i.V * d) : 0;
+        const auto [d, alpha] = surface(i, sum.besideSurface, sum.inwards);
         const auto [out, target] = outflow(i, i.k_r, alpha, d, sum.inwards);
         return Values<Provides, dim>{{sum.flow / i.V}, {water->acts(i.p_w) * alpha}, {out},
                                      {target},         {sum.weight / i.V},           {sum.ofGrains / i.V}};

@@ -149,6 +149,12 @@ template<int dim> LatticeSums sumsOnLattice(const Resolution& resolution)
         for (int a = -reach; a <= reach; ++a)
             for (int b = -ofDepth; b <= ofDepth; ++b)
                 above[std::size_t(up)] -= volume * kernel.dWdrOverR(dx * std::sqrt(double(up * up + a * a + b * b))) * up * dx;
+    double slopes = 0;
+    for (int a = -reach; a <= reach; ++a)
+        for (int b = -reach; b <= reach; ++b)
+            for (int c = -ofDepth; c <= ofDepth; ++c)
+                if (a != 0 || b != 0 || c != 0) slopes -= kernel.dWdrOverR(dx * std::sqrt(double(a * a + b * b + c * c)));
+    lattice.weight = 2 * volume * slopes / lattice.secondMoment;
     for (int row = 0; row < std::min(reach, int(lattice.m_1.size())); ++row)
     {
         const double missing = std::accumulate(above.begin() + row + 1, above.end(), 0.0);
