@@ -96,7 +96,7 @@ struct SeepageWeight
     {
         return j.p_w - i.p_w + water->density * dot(in<dimensions(decltype(ij.x){})>(g), ij.x);
     }
-    /// d and alpha, of the sums of w_ij of neighbours at the surface, and of w_ij x_ji.
+    /// The depth d and alpha of a particle, by its sums of w_ij of neighbours at the surface and of w_ij x_ji.
     template<int dim> std::pair<double, double> surface(const auto& i, double besideSurface, Vector<dim> inwards) const
     {
         if (i.isSurface == loneGrain) return {0, water->lattice.weight};
