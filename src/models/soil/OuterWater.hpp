@@ -38,7 +38,7 @@ public:
     }
 
 private:
-    /// Below the level [m].
+    /// The depth of a place below the level [m].
     template<int dim> double depthOf(Vector<dim> x) const
     {
         const double g = mag(g_);
