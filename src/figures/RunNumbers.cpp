@@ -250,10 +250,11 @@ std::vector<std::optional<double>> RunNumbers::lookUp(const LookUpPlan& plan, co
     std::string last;
     std::vector<double> key, value;
     std::size_t next = 0;
+    const auto pattern = filledName(plan.table, words_);
     for (std::size_t k = 0; k < rows.size(); ++k)
     {
-        // <1> in the name of the table is a word of the run's, <column> this row's cell.
-        auto name = filledName(plan.table, words_);
+        // <column> in the name of the table is this row's cell.
+        auto name = pattern;
         for (auto open = name.find('<'); open != name.npos; open = name.find('<'))
         {
             const auto close = std::min(name.find('>', open), name.size() - 1);

@@ -53,6 +53,14 @@ struct Nothing
     Nothing& operator+=(const Nothing&) { return *this; }
 };
 
+/// Accelerations by a change of the pore pressure.
+template<int dim> std::array<const double*, dim> accelerations(const FieldStore<dim>& store)
+{
+    std::array<const double*, dim> a;
+    for (int c = 0; c < dim; ++c) a[std::size_t(c)] = store.component(poreAcceleration, c);
+    return a;
+}
+
 /// Calls f with each level of water.
 void forEachLevel(PoreWater& water, const auto& f)
 {
@@ -143,9 +151,10 @@ template<int dim> void PoreWaterStep<dim>::advance(Particles<dim>& particles, do
                 return V[i] * (acts * mean * divergence - dot(standing.gradient(valueAt<Vector<dim>>(x, i)), valueAt<Vector<dim>>(v, i)));
             });
     outflow_ = kappa * sum(n, [&](std::size_t i) { return V[i] * out[i] * (p[i] - target[i]); });
+    const auto a = accelerations(store);
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < dim; ++c) v[c][i] += deltaT * store.component(poreAcceleration, c)[i];
+        for (int c = 0; c < dim; ++c) v[c][i] += deltaT * a[c][i];
 }
 
 template<int dim> void PoreWaterStep<dim>::accelerate(Particles<dim>& particles, const auto& change)
@@ -174,9 +183,9 @@ template<int dim> void PoreWaterStep<dim>::solve(Particles<dim>& particles, doub
     const double* const divergence = water_.projects ? store.component(DivergenceOfChange::info.name, 0) : nullptr;
     const auto own = [=, this](std::size_t i) { return water_.capacity(p[i], g) / deltaT + kappa * out[i]; };
     const auto diagonal = [=](std::size_t i) { return own(i) + kappa * flowDiagonal[i] + ofGrains * (alpha[i] + grainDiagonal[i]); };
-    const auto applied = [=](int, std::size_t i)
+    const auto applied = [=, this](int, std::size_t i)
     {
-        const double giveWay = divergence ? divergence[i] : ofGrains * (alpha[i] * direction[i] - grains[i]);
+        const double giveWay = divergence ? water_.acts(p[i]) * divergence[i] : ofGrains * (alpha[i] * direction[i] - grains[i]);
         return own(i) * direction[i] - (flow ? kappa * flow[i] : 0) + giveWay;
     };
     const auto apply = [&]
@@ -210,9 +219,11 @@ template<int dim> void PoreWaterStep<dim>::project(Particles<dim>& particles, do
     const double* const p = store.component(PorePressure::info.name, 0);
     accelerate(particles, [&](std::size_t i) { return water_.acts(p[i]) * change[i]; });
     const std::size_t n = particles.size();
+    const auto a = accelerations(store);
+    const auto dv = store.pointers(VelocityChange{});
 #pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < n; ++i)
-        for (int c = 0; c < dim; ++c) store.component(VelocityChange::info.name, c)[i] = deltaT * store.component(poreAcceleration, c)[i];
+        for (int c = 0; c < dim; ++c) dv[c][i] = deltaT * a[c][i];
     particles.evaluate(ofDivergence);
 }
 

@@ -229,7 +229,7 @@ InitialPorePressure readPoreWater(const Reading& reading, const Dictionary& ofSo
     return initial;
 }
 
-void selectPoreWater(const Reading& reading, const std::vector<std::string>& force)
+void selectPoreWater(const Reading& reading, const std::vector<std::string>& force, bool showsVelocity)
 {
     auto& settings = reading.settings;
     settings.groups.push_back({.name = ofPoreForce,
@@ -240,9 +240,7 @@ void selectPoreWater(const Reading& reading, const std::vector<std::string>& for
     const auto& water = settings.coefficients.of<PoreWater>();
     if (water.level) reading.select(LiftOfOuterWater::name);
     settings.groups.push_back({.name = ofSeepage, .terms = {water.unsaturated ? UnsaturatedSeepage::name : Seepage::name}});
-    if (std::ranges::find(settings.shown, std::string(SeepageVelocity::info.name), [](const auto& field) { return field.first; }) !=
-        settings.shown.end())
-        settings.groups.back().terms.emplace_back(DarcyVelocity::name);
+    if (showsVelocity) settings.groups.back().terms.emplace_back(DarcyVelocity::name);
     if (water.sumsChange())
         settings.groups.push_back({.name = ofSeepageChange,
                                    .terms = {water.unsaturated ? UnsaturatedSeepageOfChange::name : SeepageOfChange::name},

@@ -24,8 +24,8 @@ using InitialPorePressure = std::function<double(Vector<3>)>;
 
 /// Reads the water, declares its state, and gives what it begins with; null where soilProperties has no such entry, and the scene no water.
 InitialPorePressure readPoreWater(const Reading&, const Dictionary& ofSoil);
-/// Selects terms and groups of a scene with water; `force`: the terms that are the divergence of -p I, of the form that the soil's stress has.
-void selectPoreWater(const Reading&, const std::vector<std::string>& force);
+/// Selects terms and groups of a scene with water; `force`: the terms that are the divergence of -p I, of the form that the soil's stress has; `showsVelocity`: what seeps is written.
+void selectPoreWater(const Reading&, const std::vector<std::string>& force, bool showsVelocity);
 
 /// The sub-dictionary with its entries.
 ListedEntry poreWaterEntries();

@@ -281,6 +281,8 @@ void refuse(const Reading& reading)
             reading.schemes.diagnostics().error({file, 0}, "does not go with soil: `stress constitutiveLaw` in constant/phaseProperties");
 }
 
+bool shows(const std::vector<std::string>& shown, const char* field) { return std::ranges::find(shown, field) != shown.end(); }
+
 /// The field of `shown` that grows from step to step.
 StateField integralOf(const std::string& name)
 {
@@ -294,7 +296,7 @@ void refusePlasticStrain(const Reading& reading, const Soil& soil)
 {
     const auto d = entry::soil(reading.schemes);
     const auto shown = entry::shown(d);
-    if (std::ranges::find(shown, PlasticShearStrain::info.name) == shown.end()) return;
+    if (!shows(shown, PlasticShearStrain::info.name)) return;
     const auto [name, plastic] = std::visit([]<class Law>(const Law&) { return std::pair(Law::name, ElastoPlasticLaw<Law>); }, soil.law);
     if (!plastic)
         entry::shown.error(
@@ -348,8 +350,7 @@ void prepare(const Reading& reading)
         if (field == StrainRate::info.name || field == SeepageVelocity::info.name) settings.shown.emplace_back(field, field);
         else settings.state.push_back({.value = integralOf(field), .advancedByModel = true, .ofMaterial = true});
     refusePlasticStrain(reading, soil);
-    if (!water && std::ranges::find(settings.shown, std::string(SeepageVelocity::info.name),
-                                    [](const auto& field) { return field.first; }) != settings.shown.end())
+    if (!water && shows(entry::shown(entry::soil(reading.schemes)), SeepageVelocity::info.name))
         entry::shown.error(entry::soil(reading.schemes),
                            "seepageVelocity is that of `poreWater` in constant/soilProperties, which is not there");
     settings.ruleReads[ActingStress::info.name] = {stateField(Density{})};
@@ -433,11 +434,11 @@ void read(const Reading& reading)
         for (const auto& term : {gradient, std::string("soilNoiseViscosity")}) reading.select(term);
     else if (numbers.alpha > 0) reading.select("soilViscosity");
     settings.groups.push_back({ofStrain, {gradient}, {Velocity::info.name}});
-    if (std::ranges::find(shown, StrainRate::info.name) != shown.end()) settings.groups.back().terms.emplace_back(StrainRate::info.name);
+    if (shows(shown, StrainRate::info.name)) settings.groups.back().terms.emplace_back(StrainRate::info.name);
     if (numbers.smoothing > 0) settings.groups.back().terms.insert(settings.groups.back().terms.end(), {"fitWeights", "stressNoise"});
     if (balanced) balanceGradient(settings, numbers.hourglass > 0);
     if (c.has<TwoLevels>()) settings.state.push_back({.value = stateField(OlderStress{}), .advancedByModel = true});
-    if (c.has<PoreWater>()) selectPoreWater(reading, ofWater);
+    if (c.has<PoreWater>()) selectPoreWater(reading, ofWater, shows(shown, SeepageVelocity::info.name));
     settings.runningModels.push_back(running<StressUpdate>());
     settings.integration.factorsOfRunningModels.push_back(&StepFactors::sound);
     if (reading.geometry.withFriction()) settings.runningModels.push_back(running<WallFriction>());

@@ -295,6 +295,19 @@ TEST(PoreWater, DischargeOfADam)
     }
 }
 
+// The same by the divergence of the forces, in which grains above the table, where suction does not act, have no share; on a smooth base (README).
+TEST(PoreWater, ProjectsBelowAWaterTable)
+{
+    auto files = Dam{.ofWater = "projection exact; walls { upstream { waterLevel 1; } }"}.files();
+    auto &schemes = files["system/sphSchemes"], &geometry = files["constant/geometry"];
+    schemes.replace(schemes.find("correctedFrom 0.3;"), 18, "correctedFrom 0.3; stressDivergence balanced;");
+    geometry.replace(geometry.find("normal (0 1 0);"), 15, "normal (0 1 0); slip yes;");
+    const CaseScene scene(files);
+    ASSERT_EQ(scene.errors, "");
+    runTo(*scene.simulation, 1);
+    EXPECT_NEAR(scene.simulation->summary().columns.at("surfaceOutflow"), 4.6875e-4, 0.06 * 4.6875e-4);
+}
+
 // Water at rest in soil within water at rest, 0.2 spacings off the lattice: nothing seeps, through surfaces neither, and pressures move no particle.
 TEST(PoreWater, RestsBelowWaterThatStandsOnTheSoil)
 {
