@@ -15,5 +15,7 @@ inline const ListOf<std::string> patches{"patches", required, "walls of constant
 
 /// "force(footing).x" for component 0.
 inline std::string forceOnWall(const std::string& wall, int component) { return "force(" + wall + ")." + "xyz"[component]; }
+/// The same of the way that a wall under load has gone.
+inline std::string displacementOfWall(const std::string& wall, int component) { return "displacement(" + wall + ")." + "xyz"[component]; }
 
 }

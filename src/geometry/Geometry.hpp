@@ -24,6 +24,17 @@ struct FacetScale
     double support = 0; ///< H [m]
 };
 
+/// A load that a wall is pushed with, and by which it goes: m dv/dt = F(t) + F_w.d - m c v along d, F_w the force of the fluid or soil on it (solver/WallForces.hpp).
+struct WallLoad
+{
+    std::string force;   ///< F, an expression of `$t` [N], per metre of depth in 2-D
+    Vector<3> direction; ///< d, a unit vector
+    double mass = 1;     ///< m [kg], likewise
+    double damping = 0;  ///< c [1/s]
+    /// Throws ExpressionError where the expression gives no force.
+    double at(double t) const;
+};
+
 /// Properties of a wall that the physics needs besides its shape.
 struct WallProperties
 {
@@ -41,12 +52,15 @@ struct WallProperties
     Location anglesAt;                     ///< in constant/geometry
     /// Through `first`, as the wall says of the two phases; none where it says nothing of them.
     std::optional<double> angleOf(const std::string& first, const std::string& second) const;
-    Vector<3> velocity;                  ///< [m/s] of the wall as a rigid body
+    Vector<3> velocity; ///< [m/s] of the wall as a rigid body; of one under load at present
+    std::optional<WallLoad> load;
     Vector<3> origin, omega;             ///< rotation about `origin` [rad/s]
     bool slips = false;                  ///< the fluid slides along it freely
     std::optional<double> frictionAngle; ///< of soil at it [degrees]; without one it holds what touches it, or slips
     Location where;
-    bool moves() const { return mag(velocity) > 0 || mag(omega) > 0; }
+    bool moves() const { return load || mag(velocity) > 0 || mag(omega) > 0; }
+    /// Along which the wall goes, of any length; 0 where it stays.
+    const Vector<3>& heading() const { return load ? load->direction : velocity; }
     /// tan of the friction angle
     double frictionCoefficient() const { return std::tan(frictionAngle.value_or(0) * std::numbers::pi / 180); }
 };

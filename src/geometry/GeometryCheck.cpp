@@ -201,7 +201,7 @@ class Check
     /// Whether a wall may go where its velocity leads (MovingWalls.hpp): what it covers of others, and its periodic copies, are those of the start.
     bool mayGo(int p) const
     {
-        const auto& v = g_.walls[std::size_t(g_.patches[std::size_t(p)].wall)].velocity;
+        const auto& v = g_.walls[std::size_t(g_.patches[std::size_t(p)].wall)].heading();
         bool leaves = false;
         for (int k = 0; k < g_.dimension; ++k) leaves = leaves || (g_.periodic[std::size_t(k)] && v.*component(k) != 0);
         const auto& patch = g_.patches[std::size_t(p)];
@@ -214,6 +214,17 @@ class Check
         for (int p = 0; p < int(g_.patches.size()); ++p)
         {
             const int w = g_.patches[p].wall;
+            if (const auto& wall = g_.walls[w]; wall.load)
+            {
+                if (!mayGo(p))
+                    diagnostics_.error(
+                        wall.where,
+                        fmt::format(
+                            "wall \"{}\" is under load, and cannot go along ({:.4g} {:.4g} {:.4g}): walls that touch another solid, "
+                            "turn, are meshes, would leave by a periodic face or are planes along that direction stay where they are",
+                            wall.name, wall.load->direction.x, wall.load->direction.y, wall.load->direction.z));
+                continue;
+            }
             if (g_.patches[p].mesh)
             {
                 motionOfMesh(g_.patches[p]);

@@ -123,7 +123,11 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
         out += fmt::format(" velocity {};", text(wall.velocity));
         if (wall.omega != Vector<3>{}) out += fmt::format(" omega {}; origin {};", text(wall.omega), text(wall.origin));
         if (wall.slips) out += " slip yes;";
-        if (wall.frictionAngle) out += fmt::format(" frictionAngle {}; definedAt \"{}\";", *wall.frictionAngle, toString(wall.where));
+        if (wall.frictionAngle) out += fmt::format(" frictionAngle {};", *wall.frictionAngle);
+        if (const auto& load = wall.load)
+            out += fmt::format(" load {{ force \"{}\"; direction {}; mass {}; damping {}; }}", load->force, text(load->direction),
+                               load->mass, load->damping);
+        if (wall.frictionAngle || wall.load) out += fmt::format(" definedAt \"{}\";", toString(wall.where));
         out += " }\n";
     }
     out += "}\n\npatches\n(\n";

@@ -1,5 +1,6 @@
 #include "base/words.hpp"
 #include "case/Case.hpp"
+#include "dictionary/timeExpression.hpp"
 #include "geometry/Geometry.hpp"
 #include "geometry/components.hpp"
 #include "geometry/readShapes.hpp"
@@ -28,6 +29,13 @@ const VectorParameter velocity{"velocity", units::mPerS, Vector<3>{},
                                "of the wall, which goes where it leads; meshes and what touches another solid move along themselves alone"},
     omega{"omega", units::none / units::s, Vector<3>{}, "rate at which it turns"},
     origin{"origin", units::m, Vector<3>{}, "point about which it turns"};
+const SubDictionary load{"load", notGiven, "in place of velocity: the wall goes by what pushes it"};
+const Text force{"force", required,
+                 "that pushes it along direction [N], per metre of depth in 2-D; an expression of $t; its weight included"};
+const VectorParameter direction{"direction", units::none, required, "along which it goes, without turning"};
+const Scalar mass{"mass", units::kg, required, positive,
+                  "of the wall, per metre of depth in 2-D; at least that of the particles within a spacing of it"};
+const Scalar loadDamping{"damping", units::none / units::s, 0.0, atLeast(0), "rate at which its velocity fades"};
 const Switch slip{"slip", false, "the fluid slides along the wall freely; else wallVelocity of system/sphSchemes decides"};
 const Scalar frictionAngle{"frictionAngle", degrees, byScene("none: soil sticks to the wall, or slips"),
                            Range{.low = 0, .high = 90, .highIncluded = false}, "of soil that slides along the wall"};
@@ -99,6 +107,31 @@ void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diag
     if (diagnostics.errors() > before) diagnostics.throwIfAny();
 }
 
+double WallLoad::at(double t) const { return numberAt(force, t, "a force"); }
+
+namespace
+{
+void readLoad(const Dictionary& wall, WallProperties& properties, int dimension)
+{
+    if (!entry::load.given(wall)) return;
+    const auto d = entry::load(wall);
+    WallLoad load{entry::force(d), entry::direction(d), entry::mass(d), entry::loadDamping(d)};
+    entry::direction.checkPlane(d, load.direction, dimension);
+    if (mag(load.direction) > 0) load.direction = load.direction / mag(load.direction);
+    else entry::direction.error(d, "the direction must not be (0 0 0)");
+    if (mag(properties.velocity) > 0) entry::load.error(wall, "a wall goes by its velocity or by its load: leave out the one or the other");
+    try
+    {
+        load.at(0);
+    }
+    catch (const ExpressionError& e)
+    {
+        entry::force.error(d, fmt::format("\"{}\": {}", load.force, e.what()));
+    }
+    properties.load = load;
+}
+}
+
 WallProperties readWallProperties(const Dictionary& dict, int dimension, bool mayTurn)
 {
     WallProperties wall;
@@ -113,6 +146,7 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
     if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
     entry::velocity.checkPlane(dict, wall.velocity, dimension);
+    readLoad(dict, wall, dimension);
     wall.slips = entry::slip(dict);
     if (entry::frictionAngle.given(dict))
     {
@@ -155,7 +189,13 @@ EntryList geometryEntries()
             {entry::domain, {entry::min, entry::max, entry::periodic}},
             {entry::walls,
              {{entry::wall,
-               {{shapeType(), types}, entry::contactAngle, entry::contactAngles, entry::velocity, entry::slip, entry::frictionAngle}}}}};
+               {{shapeType(), types},
+                entry::contactAngle,
+                entry::contactAngles,
+                entry::velocity,
+                {entry::load, {entry::force, entry::direction, entry::mass, entry::loadDamping}},
+                entry::slip,
+                entry::frictionAngle}}}}};
 }
 
 namespace

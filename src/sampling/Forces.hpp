@@ -16,7 +16,9 @@ class Forces : public FunctionObject
     struct Wall
     {
         std::string name;
-        Vector<3> velocity, force; ///< [m/s], [N]
+        Vector<3> velocity; ///< [m/s]
+        bool underLoad;
+        Vector<3> force; ///< [N]
     };
     FunctionContext context_;
     std::vector<Wall> walls_;

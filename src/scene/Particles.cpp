@@ -33,7 +33,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (movingWalls_.any() && !geometry_.layers.empty())
         throw CaseError({"constant/geometry", 0},
                         "walls that move across themselves go with `walls reflected;` of system/sphSchemes: layers stay where they are");
-    if (const auto time = restored.find(wallTime); time != restored.end()) movingWalls_.advance(geometry_, time->second);
+    movingWalls_.restore(geometry_, restored);
     if (!geometry_.layers.empty()) images_.setLayers({geometry_, kernel_, settings.searchReach() + skin_, settings.resolution.spacing});
     if (settings.facts.get<InterfacesBehindWalls>().straight) images_.continueInterfaces();
     if (images_.layers() ? images_.layers()->weighted() : geometry_.bends()) store_.allocate(ImageWeight{});

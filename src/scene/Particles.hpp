@@ -14,9 +14,6 @@
 namespace sph
 {
 
-/// Name of the time of MovingWalls in the numbers of a restart.
-inline constexpr const char* wallTime = "wallTime";
-
 template<int dim> class Particles
 {
 public:
@@ -44,6 +41,8 @@ public:
     /// Walls that move across themselves go on, as particles do in a drift.
     void driftWalls(double deltaT);
     const MovingWalls& movingWalls() const { return movingWalls_; }
+    /// Sets the velocity of a wall under load.
+    void pushWall(int wall, const Vector<3>& velocity) { movingWalls_.push(geometry_, wall, velocity); }
 
     std::size_t size() const { return owned_; }
     /// Number of particles after some have come in or gone, in stages of JoinPoint::exchange.

@@ -43,8 +43,12 @@ BoundaryWork<dim>::BoundaryWork(Particles<dim>& particles, const Numbers&)
     for (const auto& wall : walls)
     {
         const auto first =
-            std::ranges::find_if(walls, [&](const WallProperties& other)
-                                 { return other.velocity == wall.velocity && other.omega == wall.omega && other.origin == wall.origin; });
+            std::ranges::find_if(walls,
+                                 [&](const WallProperties& other)
+                                 {
+                                     return &other == &wall || (!other.load && !wall.load && other.velocity == wall.velocity &&
+                                                                other.omega == wall.omega && other.origin == wall.origin);
+                                 });
         motionOf_.push_back(wall.moves() ? int(first - walls.begin()) : atRest);
     }
     for (const char* group : {forcesOfWalls, ofHeld})

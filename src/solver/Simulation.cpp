@@ -167,7 +167,7 @@ public:
     StateNumbers state() const override
     {
         StateNumbers numbers;
-        if (particles_.movingWalls().any()) numbers[wallTime] = particles_.movingWalls().time();
+        particles_.movingWalls().save(particles_.geometry(), numbers);
         numbers[lastName("maxAcceleration")] = summary_.maxAcceleration;
         numbers[lastName("observedAcceleration")] = particles_.observedAcceleration();
         if (summary_.maxSlowAcceleration > 0) numbers[lastName("maxSlowAcceleration")] = summary_.maxSlowAcceleration;

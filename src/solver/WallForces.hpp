@@ -1,10 +1,15 @@
-/// Forces of the fluid or soil on walls, for the function object `forces`.
+/// Forces of the fluid or soil on walls, for the function object `forces` and for walls under load.
 ///
-///   F_w = -sum_i m_i a_iw
+///   F_w = -sum_i m_i a_iw,    of walls under load m_w dv_w/dt = F + F_w.d - m_w c v_w along d
 ///
 /// F_w [N], per metre of depth in 2-D; a_iw [m/s^2] acceleration of particle i by the ghosts behind wall w, in a corner by those whose last reflection was in it. What all walls, gravity and body forces give is
 /// then the rate of momentum of a scene whose pair forces are antisymmetric, to round-off. Forces are those that the last step has acted with; where it solves for viscosity they are taken at its end. Impulses of
-/// what touches a wall (WallContact) are no forces, and not in them. It costs a pass over the particles near the walls that are asked for, each step. Verified by test/unit/solver (rate of momentum, with corners and a body that moves).
+/// what touches a wall (WallContact) are no forces, and not in them. It costs a pass over the particles near the walls that are asked for, each step.
+///
+/// F [N] is the load (geometry/Geometry.hpp, WallLoad), m_w [kg] the mass of the wall, d its direction, c [1/s] its damping. The wall takes F_w as it takes F, with what was measured in the step: F is that of its middle, c acts at its end.
+/// That is stable where the wall has at least the mass that moves with it at once: of what has a speed of sound the particles within a spacing, which is checked whenever lists are built; of soil full of water, or of all that is solved for
+/// within the step, an added mass that hangs on the scene. With less than it wall and particles throw one another to and fro, further at each turn, and the run ends in an error.
+/// Verified by test/unit/solver (rate of momentum, with corners and a body that moves; weight that a plate carries, restart).
 #pragma once
 #include "scene/Model.hpp"
 #include "scene/Particles.hpp"
@@ -12,7 +17,7 @@
 namespace sph
 {
 
-/// Adds it to the settings where system/controlDict has function objects `forces`; when all models have read.
+/// Adds it to the settings where system/controlDict has function objects `forces` or a wall is under load; when all models have read.
 void askForWallForces(const Reading&);
 
 template<int dim> class WallForces final : public RunningModel<dim>
@@ -20,10 +25,24 @@ template<int dim> class WallForces final : public RunningModel<dim>
     std::vector<int> walls_;             ///< those that are asked for
     std::vector<Vector<dim>> forces_;    ///< of each [N]
     std::vector<std::vector<int>> near_; ///< particles that ghosts behind each act on
+    /// How the acceleration of a wall under load swings [m/s^2].
+    struct Swing
+    {
+        double last = 0, turn = 0, widest = 0,
+               first =
+                   0; ///< acceleration, where it last turned, the last swing between two turns, and that which the growth is measured from
+        int steps = 0, turns = 0; ///< since that turn, and turns that each went further
+        /// Whether swings of a few steps each have grown beyond doubt.
+        bool hasGrown(double acceleration);
+    };
+    std::vector<Swing> swings_;
     const bool solves_;
-    bool listed_ = false; ///< near_ is that of the present lists
+    bool listed_ = false;  ///< near_ is that of the present lists
+    bool anyLoad_ = false; ///< some wall is under load
 
     void measure(Particles<dim>&);
+    void push(Particles<dim>&, const Substep&);
+    void checkMass(const Particles<dim>&, std::size_t k) const;
 
 public:
     WallForces(Particles<dim>&, const Numbers&, std::vector<std::string> walls);

@@ -20,7 +20,7 @@
 /// damSeepage (discharge of a dam).
 #pragma once
 #include "base/StressTensor.hpp"
-#include "dictionary/Expression.hpp"
+#include "dictionary/timeExpression.hpp"
 #include "fields/fieldTags.hpp"
 #include <algorithm>
 #include <array>
@@ -51,17 +51,7 @@ struct WaterLevel
 
     bool varies() const { return expression.find('$') != std::string::npos; }
     /// Throws ExpressionError where the expression gives no height.
-    double at(double t) const
-    {
-        const auto value = evaluate(expression,
-                                    [t](const std::string& name) -> ExpressionValue
-                                    {
-                                        if (name == "t") return {t};
-                                        throw ExpressionError("$" + name + " is unknown here. Known: $t");
-                                    });
-        if (value.vector || !std::isfinite(value.scalar)) throw ExpressionError("the result is not a height");
-        return value.scalar;
-    }
+    double at(double t) const { return numberAt(expression, t, "a height"); }
 };
 
 /// A wall of geometry: a pressure, water that stands behind it up to a level, or a flux into the soil; nothing passes one with none of them, nor what rises above the level.

@@ -1,6 +1,7 @@
 #include "models/soil/soil.hpp"
 #include "case/phaseEntries.hpp"
 #include "geometry/makeWallLayers.hpp"
+#include "models/soil/Excavation.hpp"
 #include "models/soil/Hourglass.hpp"
 #include "models/soil/OuterWater.hpp"
 #include "models/soil/SoilFields.hpp"
@@ -41,6 +42,9 @@ const Scalar pressure{"pressure", units::pressure, required, nonNegative, "-tr(s
     surface{"surface", units::m, required, anyNumber, "height of the soil's surface, against gravity, from the origin"},
     K0{"K0", units::none, byScene("of the law; needed where it has none"), positive,
        "earth pressure at rest: lateral over vertical stress"};
+
+const SubDictionary excavation{"excavation", notGiven, "soil that is dug out"};
+const Text where{"where", required, "an expression of $x, $y, $z [m] and $t [s]: particles go where it is not 0"};
 
 const Choice stressDivergence{
     "stressDivergence",
@@ -113,6 +117,24 @@ double readSurfacePressure(const Dictionary& dict, const Soil& soil)
                                        fmt::format("{:.6g} Pa is less than floorPressure, {:.6g} Pa: the surface would be free of stress",
                                                    *confining, floor));
     return confining.value_or(floor);
+}
+
+std::optional<Digging> readExcavation(const Dictionary& dict)
+{
+    if (!entry::excavation.given(dict)) return {};
+    const auto d = entry::excavation(dict);
+    const auto text = entry::where(d);
+    try
+    {
+        Digging digging{{text, kindInDigging}, entry::where.where(d)};
+        if (digging.where.kind() == ExpressionProgram::Kind::number) return digging;
+        throw ExpressionError("the result is a vector, not a number");
+    }
+    catch (const ExpressionError& e)
+    {
+        entry::where.error(d, fmt::format("\"{}\": {}", text, e.what()));
+        return {};
+    }
 }
 
 /// `water`: null, or the pore pressure at the start, which geostatic stresses are less by, as they are more by what stands on the surface.
@@ -341,6 +363,7 @@ void prepare(const Reading& reading)
     const auto initial = entry::initialStress.given(dict) ? readInitialStress(dict, soil, c, water) : nullptr;
     SoilNumbers numbers;
     numbers.surfacePressure = readSurfacePressure(dict, soil);
+    if (const auto digging = readExcavation(dict)) settings.runningModels.push_back(running<Excavation>(*digging));
     c.set(numbers);
     settings.state.push_back(stressOf(soil, initial, c.dimension));
     addVariables(settings, soil, initial, dict);
@@ -482,6 +505,7 @@ const Model& soilModel()
         {},
         {{soilProperties,
           {entry::confiningPressure,
+           {entry::excavation, {entry::where}},
            {entry::initialStress, EntryList{{entry::type, entry::initialCases()}} + variableEntries()},
            poreWaterEntries()}},
          {"system/sphSchemes",

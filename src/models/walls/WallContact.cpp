@@ -76,8 +76,9 @@ template<int dim> double WallContact<dim>::holdOff(const Particles<dim>& p, cons
     const auto before = valueAt<Vector<dim>>(v, i);
     auto v_i = before;
     HeldVelocity<dim> velocity(v_i);
-    const auto held = offWalls(p.nearWalls(), x_i, clearance, reach,
-                               [&](const Vector<dim>& n, int pushing) { velocity.touch(n, p.movingWalls().speedAlong(pushing, in3D(n))); });
+    const auto held =
+        offWalls(p.nearWalls(), x_i, clearance, reach,
+                 [&](const Vector<dim>& n, int pushing) { velocity.touch(n, p.movingWalls().speedAlong(p.geometry(), pushing, in3D(n))); });
     if (held == x_i) return 0;
     v_i = velocity;
     if (const auto& geometry = p.geometry(); rubs_)

@@ -9,6 +9,7 @@
 #include "models/tension/depthBias.hpp"
 #include "parallel/reduce.hpp"
 #include "plan/laneSums.hpp"
+#include "runTo.hpp"
 #include <gtest/gtest.h>
 
 namespace sph::test
@@ -145,16 +146,6 @@ Cloud liquidAt(const std::vector<Vector<2>>& places)
     cloud.z.assign(places.size(), 0);
     cloud.fields["phase"].component.assign(1, std::vector<double>(places.size(), 0));
     return cloud;
-}
-
-void runUntil(AnySimulation& simulation, double end)
-{
-    for (double time = 0; time < end;)
-    {
-        const double deltaT = std::min(simulation.stepLimit().deltaT, end - time);
-        simulation.step(time, deltaT);
-        time += deltaT;
-    }
 }
 
 /// The mean of kappa over these particles of a surface, and the largest that one of them is off it.
@@ -556,7 +547,7 @@ TEST(LiquidAlone, MeetsWallsAtTheirContactAngle)
         auto places = lattice<2>(12, [](auto y) { return mag(y) < 12 && y.x > 0 && y.y > 0; });
         for (auto& x : places) x *= dx;
         const auto simulation = makeSimulation(scene.settings, scene.geometry, liquidAt(places), {});
-        runUntil(*simulation, 6);
+        runTo(*simulation, 6);
         EXPECT_NEAR(angleByHeight(*simulation, 2 * dx * dx * double(places.size())), angle, angle > 90 ? 8 : 4);
     }
 }
@@ -604,7 +595,7 @@ TEST(LiquidAlone, RestsUnderTheSuctionOfItsMenisci)
     for (int i = 0; i < 16; ++i)
         for (int j = 0; j < 32; ++j) places.push_back({dx * (i + 0.5), dx * (j + 0.5)});
     const auto simulation = makeSimulation(scene.settings, scene.geometry, liquidAt(places), {});
-    runUntil(*simulation, 3);
+    runTo(*simulation, 3);
     EXPECT_LT(simulation->energy().kinetic, 1e-3);
 }
 

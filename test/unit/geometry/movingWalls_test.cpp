@@ -28,8 +28,8 @@ TEST(MovingWalls, GoOnByTheirVelocity)
     EXPECT_NEAR(g.distance({0.5, 0.2, 0}), 0.2, 1e-15);
     EXPECT_NEAR(before.distance({0.5, 0.8, 0}), 0.2, 1e-15) << "the geometry that was read is another";
     EXPECT_EQ(walls.travelled(), 0.5);
-    EXPECT_EQ(walls.speedAlong(1, {0, -1, 0}), 2);
-    EXPECT_EQ(walls.speedAlong(0, {0, 1, 0}), 0);
+    EXPECT_EQ(walls.speedAlong(g, 1, {0, -1, 0}), 2);
+    EXPECT_EQ(walls.speedAlong(g, 0, {0, 1, 0}), 0);
 }
 
 // A footing that is pressed down, without an end across the plane of the scene, and a ball: both are where their velocity has brought them, and push with each of their faces by its own normal.
@@ -45,9 +45,9 @@ TEST(MovingWalls, MayBeBodies)
     walls.advance(g, 0.4);
     EXPECT_NEAR(g.distance({1.5, 2, 0}), 0.8, 1e-15);
     EXPECT_NEAR(g.distance({3, 1.5, 0}), 0.16, 1e-15);
-    EXPECT_EQ(walls.speedAlong(0, {0, -1, 0}), 0.5);
-    EXPECT_EQ(walls.speedAlong(0, {1, 0, 0}), 0);
-    EXPECT_EQ(walls.speedAlong(2, {0, 1, 0}), 0);
+    EXPECT_EQ(walls.speedAlong(g, 0, {0, -1, 0}), 0.5);
+    EXPECT_EQ(walls.speedAlong(g, 0, {1, 0, 0}), 0);
+    EXPECT_EQ(walls.speedAlong(g, 2, {0, 1, 0}), 0);
     EXPECT_EQ(walls.fastest(), 0.5);
 }
 

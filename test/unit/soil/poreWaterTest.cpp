@@ -5,6 +5,7 @@
 #include "models/soil/PoreWaterStep.hpp"
 #include "models/soil/Seepage.hpp"
 #include "models/soil/SoilFields.hpp"
+#include "runTo.hpp"
 #include "scene/Particles.hpp"
 #include "solver/models.hpp"
 #include <cmath>
@@ -48,16 +49,6 @@ struct Column
         return files;
     }
 };
-
-void runTo(AnySimulation& simulation, double end, double longest = 1)
-{
-    for (double time = 0; time < end * (1 - 1e-9);)
-    {
-        const double deltaT = std::min({simulation.stepLimit().deltaT, end - time, longest});
-        simulation.step(time, deltaT);
-        time += deltaT;
-    }
-}
 
 /// The message that a run ends with before `end`; empty where it does not.
 std::string failureOf(AnySimulation& simulation, double end)

@@ -36,6 +36,7 @@ std::string motion(const sph::WallProperties& wall)
     const auto text = [](const sph::Vector<3>& a) { return fmt::format("({:.4g} {:.4g} {:.4g})", a.x, a.y, a.z); };
     const std::string slips = wall.slips ? ", slips" : "";
     if (mag(wall.omega) > 0) return fmt::format("{} + {} x (x - {})", text(wall.velocity), text(wall.omega), text(wall.origin)) + slips;
+    if (wall.load) return "under load" + slips;
     return (mag(wall.velocity) > 0 ? text(wall.velocity) : "at rest") + slips;
 }
 
