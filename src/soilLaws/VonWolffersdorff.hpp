@@ -90,10 +90,10 @@ struct VonWolffersdorff
     /// F, from the deviator of r.
     static double shape(SymmTensor<3> r_d)
     {
-        constexpr double root2 = std::numbers::sqrt2;
+        constexpr double root2 = std::numbers::sqrt2, isotropic = 1e-40; // below it is round-off, and its cube may vanish where it does not
         const double square_d = doubleDot(r_d, r_d), t = std::sqrt(3 * square_d);
         const double cubes = doubleDot(square(r_d), r_d),
-                     c = square_d > 0 ? -std::sqrt(6.0) * cubes / (square_d * std::sqrt(square_d)) : -1;
+                     c = square_d > isotropic ? -std::sqrt(6.0) * cubes / (square_d * std::sqrt(square_d)) : -1;
         return std::sqrt(t * t / 8 + (2 - t * t) / (2 + root2 * t * std::clamp(c, -1.0, 1.0))) - t / (2 * root2);
     }
 

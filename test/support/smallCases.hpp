@@ -90,6 +90,17 @@ inline Files soilCase()
     return files;
 }
 
+/// Soil that a wall under load pushes, and that is dug out beside it.
+inline Files loadedSoilCase()
+{
+    auto files = soilCase();
+    auto& geometry = files["constant/geometry"];
+    geometry.replace(geometry.find("normal (-1 0 0); slip yes;"), 26,
+                     "normal (-1 0 0); slip yes; load { force \"1e5*$t\"; direction (-1 0 0); mass 100; damping 10; }");
+    files["constant/soilProperties"] += "excavation { where \"$x > 0.7 && $y > 0.5 - 5*$t\"; }\n";
+    return files;
+}
+
 /// A suspension that comes into a channel through an inlet and leaves it through an outlet.
 inline Files openCase()
 {

@@ -186,6 +186,20 @@ TEST(VonWolffersdorff, stiffnessIsABound)
     }
 }
 
+// A deviator whose cube is less than the smallest number, as grains that lie alone have it, is none.
+TEST(VonWolffersdorff, hairOffIsotropic)
+{
+    for (const double hair : {1e-16, 1e-60, 1e-106, 1e-160})
+    {
+        StateOf<VonWolffersdorff> now(principal(-10, -10, -10), {0.9});
+        const auto expected = karlsruheOfVoidRatio.rate(now, principal(0, -1, 0));
+        now.stress.xy = 10 * hair;
+        const auto rate = karlsruheOfVoidRatio.rate(now, principal(0, -1, 0));
+        EXPECT_LT(norm(rate.stress - expected.stress), 1e-12 * norm(expected.stress)) << hair;
+        EXPECT_NEAR(karlsruheOfVoidRatio.stiffness(now), karlsruheOfVoidRatio.stiffness({principal(-10, -10, -10), {0.9}}), 1e-8) << hair;
+    }
+}
+
 // Soil looser than e_i is free of stress, and takes load again when it has been pushed together; the void ratio follows the strain meanwhile.
 TEST(VonWolffersdorff, apart)
 {

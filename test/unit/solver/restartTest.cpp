@@ -152,14 +152,7 @@ TEST(Restart, OfSoil)
     auto& press = pressed["constant/geometry"];
     press.replace(press.find("normal (-1 0 0); slip yes;"), 26, "normal (-1 0 0); velocity (-0.2 0 0); slip yes;");
     restartEqualsTheWhole(pressed);
-    auto loaded = soilCase();
-    auto& load = loaded["constant/geometry"];
-    load.replace(load.find("normal (-1 0 0); slip yes;"), 26,
-                 "normal (-1 0 0); slip yes; load { force \"1e5*$t\"; direction (-1 0 0); mass 100; damping 10; }");
-    restartEqualsTheWhole(loaded);
-    auto dugOut = soilCase();
-    dugOut["constant/soilProperties"] += "excavation { where \"$x > 0.7 && $y > 0.5 - 5*$t\"; }\n";
-    restartEqualsTheWhole(dugOut);
+    restartEqualsTheWhole(loadedSoilCase());
     auto byVerlet = soilCase();
     byVerlet["system/sphSchemes"] += "integration { scheme verlet; damping { rate 20; until 0.06; } }\n";
     restartEqualsTheWhole(byVerlet);
