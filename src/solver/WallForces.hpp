@@ -25,7 +25,7 @@ template<int dim> class WallForces final : public RunningModel<dim>
     std::vector<int> walls_;             ///< those that are asked for
     std::vector<Vector<dim>> forces_;    ///< of each [N]
     std::vector<std::vector<int>> near_; ///< particles that ghosts behind each act on
-    /// How the acceleration of a wall under load swings [m/s^2].
+    /// Swings of the acceleration of a wall under load [m/s^2].
     struct Swing
     {
         double last = 0, turn = 0, widest = 0,

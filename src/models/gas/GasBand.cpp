@@ -1,6 +1,7 @@
 #include "models/gas/GasBand.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include "parallel/reduce.hpp"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -330,8 +331,9 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
     {
         const Chains chains(map_, store, owned);
         cells = bareCells(chains);
-        const auto sparse = sparseCells(store, chains, owned);
-        cells.insert(cells.end(), sparse.begin(), sparse.end());
+        const auto bare = cells.size(); // in the order of their numbers; a gap beside moving gas may be one of them
+        for (const std::size_t c : sparseCells(store, chains, owned))
+            if (!std::binary_search(cells.begin(), cells.begin() + std::ptrdiff_t(bare), c)) cells.push_back(c);
     }
     if (cells.empty()) return owned;
 

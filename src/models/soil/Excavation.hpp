@@ -26,7 +26,7 @@ template<int dim> class Excavation final : public RunningModel<dim>
     double time_ = 0;                 ///< that the next sorting digs at [s]
     double gone_ = 0, particles_ = 0; ///< since the first start: mass [kg], per metre of depth in 2-D, and number
 
-    /// Of each particle whether it goes at a time.
+    /// Marks of the particles that go at a time.
     std::vector<std::uint8_t> within(const Particles<dim>&, double time) const;
     void look(Particles<dim>&, double time);
     void dig(Particles<dim>&);

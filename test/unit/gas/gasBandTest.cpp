@@ -3,6 +3,7 @@
 #include "messages.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include <gtest/gtest.h>
+#include <set>
 
 namespace sph::test
 {
@@ -94,6 +95,22 @@ TEST(GasBand, LeavesOutWhatIsFarAndKeepsTheRestAtRest)
     EXPECT_LT(highest, 0.5 + width + 2 * 0.05) << "the band and a spacing";
     EXPECT_EQ(gas, std::size_t(20 * std::lround((highest - 0.475) / 0.05))) << "whole rows of 20";
     EXPECT_LT(simulation.summary().maxSpeedOfScene(), 1e-9);
+}
+
+// Liquid whose surface breaks up: what joins beside gas that moves, and what joins beyond it, may be the same place.
+TEST(GasBand, PutsNoTwoParticlesInOnePlace)
+{
+    CaseScene scene(layer("gas band;\n", "(0.3 -1 0)", false), 0.3);
+    ASSERT_EQ(scene.errors, "");
+    auto& simulation = *scene.simulation;
+    for (int k = 0; k < 150; ++k)
+    {
+        advance(simulation, 0.002 * k, 0.002 * (k + 1));
+        const auto places = simulation.positions();
+        std::set<std::pair<double, double>> taken;
+        for (std::size_t i = 0; i < simulation.size(); ++i) taken.emplace(places.component[0][i], places.component[1][i]);
+        ASSERT_EQ(taken.size(), simulation.size()) << "at " << 0.002 * (k + 1);
+    }
 }
 
 // Liquid that falls in gas at rest, as if there were none: the gas has a thousandth of its density.
