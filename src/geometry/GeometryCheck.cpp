@@ -221,7 +221,7 @@ class Check
                         wall.where,
                         fmt::format(
                             "wall \"{}\" is under load, and cannot go along ({:.4g} {:.4g} {:.4g}): walls that touch another solid, "
-                            "turn, are meshes, would leave by a periodic face or are planes along that direction stay where they are",
+                            "turn, would leave by a periodic face or are planes along that direction stay where they are",
                             wall.name, wall.load->direction.x, wall.load->direction.y, wall.load->direction.z));
                 continue;
             }

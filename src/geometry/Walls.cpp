@@ -153,6 +153,7 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const s
     {
         const auto wall = walls.subDict(name);
         g.walls.push_back(readWallProperties(wall, g.dimension, true));
+        readLoad(wall, g.walls.back(), g.dimension);
         const auto readPlace = [&](const char* key, Location& place)
         {
             const std::string at = wall.get(key, "");

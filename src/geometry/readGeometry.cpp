@@ -109,8 +109,6 @@ void checkFit(const Geometry& g, const Resolution& resolution, Diagnostics& diag
 
 double WallLoad::at(double t) const { return numberAt(force, t, "a force"); }
 
-namespace
-{
 void readLoad(const Dictionary& wall, WallProperties& properties, int dimension)
 {
     if (!entry::load.given(wall)) return;
@@ -130,7 +128,6 @@ void readLoad(const Dictionary& wall, WallProperties& properties, int dimension)
     }
     properties.load = load;
 }
-}
 
 WallProperties readWallProperties(const Dictionary& dict, int dimension, bool mayTurn)
 {
@@ -146,7 +143,6 @@ WallProperties readWallProperties(const Dictionary& dict, int dimension, bool ma
     if (wall.wets) wall.anglesAt = one ? entry::contactAngle.where(dict) : entry::contactAngles.where(dict);
     wall.velocity = entry::velocity(dict);
     entry::velocity.checkPlane(dict, wall.velocity, dimension);
-    readLoad(dict, wall, dimension);
     wall.slips = entry::slip(dict);
     if (entry::frictionAngle.given(dict))
     {
@@ -263,6 +259,7 @@ void readWallsAndRepeat(const Dictionary& dict, Geometry& g)
         }
         auto shapes = readShapes(wall, g);
         g.walls.push_back(readWallProperties(wall, g.dimension, isSingleShape(wall)));
+        readLoad(wall, g.walls.back(), g.dimension);
         for (auto& shape : shapes) g.originals.push_back({std::move(shape), int(g.walls.size()) - 1});
     }
     repeatPeriodically(g, g.reach);

@@ -16,5 +16,7 @@ void checkFit(const Geometry&, const Resolution&, Diagnostics&);
 
 /// Entries contactAngle or contactAngles and velocity, and omega and origin where the wall may turn.
 WallProperties readWallProperties(const Dictionary& wall, int dimension, bool mayTurn);
+/// Entry `load { force; direction; mass; damping; }` of a wall that is no mesh.
+void readLoad(const Dictionary& wall, WallProperties&, int dimension);
 
 }

@@ -17,6 +17,8 @@ constexpr double hysteresis = 1;        ///< by which gas goes and stands farthe
 constexpr double mostFree = 3;          ///< of the gas beside the liquid that is not ambient
 constexpr int cellsOfBlock = 4;         ///< along each side, of what is kept from being crowded or sparse
 constexpr double mostOff = 0.75;        ///< particles of a block, too many or too few
+constexpr double keptFrom =
+    0.75; ///< share of the way from free to standing gas from which on blocks are kept so: nearer to the liquid what joins or goes leaves a jump of the pressure
 }
 
 template<int dim>
@@ -314,7 +316,7 @@ auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, st
     {
         if (!Ambient::isMoving(ambient[i]) || isHeld(store, i)) continue;
         const auto cell = map_.cellOf(chains.at(i));
-        if (map_.squaredDistance(cell) <= sqr(freeWidth_)) continue;
+        if (map_.squaredDistance(cell) <= sqr(freeWidth_ + keptFrom * (widthOfMotion_ - freeWidth_))) continue;
         auto& block = all[map_.blockOf(cell, cellsOfBlock)];
         block.excess += 1 - volumeOver(store, i);
         block.byVolume.emplace_back(volumeOver(store, i), int(i));
