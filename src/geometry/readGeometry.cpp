@@ -120,7 +120,7 @@ void readLoad(const Dictionary& wall, WallProperties& properties, int dimension)
     if (mag(properties.velocity) > 0) entry::load.error(wall, "a wall goes by its velocity or by its load: leave out the one or the other");
     try
     {
-        load.at(0);
+        if (!load.force.empty()) load.at(0);
     }
     catch (const ExpressionError& e)
     {

@@ -2,6 +2,7 @@
 #include "base/CaseError.hpp"
 #include "parallel/reduce.hpp"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace sph
@@ -47,7 +48,13 @@ template<int dim> std::vector<std::uint8_t> Excavation<dim>::within(const Partic
     std::vector<double> result(particles.size());
     digging_.where(0, particles.size(), values, {result.data()});
     std::vector<std::uint8_t> goes(particles.size());
-    for (std::size_t i = 0; i < goes.size(); ++i) goes[i] = result[i] != 0;
+    for (std::size_t i = 0; i < goes.size(); ++i)
+    {
+        const auto at = in3D(valueAt<Vector<dim>>(x, i));
+        if (!std::isfinite(result[i]))
+            throw CaseError(digging_.at, fmt::format("at {:.6g} s and ({:.6g} {:.6g} {:.6g}) m this has no value", time, at.x, at.y, at.z));
+        goes[i] = result[i] != 0;
+    }
     return goes;
 }
 

@@ -124,6 +124,7 @@ std::optional<Digging> readExcavation(const Dictionary& dict)
     if (!entry::excavation.given(dict)) return {};
     const auto d = entry::excavation(dict);
     const auto text = entry::where(d);
+    if (text.empty()) return {};
     try
     {
         Digging digging{{text, kindInDigging}, entry::where.where(d)};

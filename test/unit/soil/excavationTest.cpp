@@ -62,6 +62,7 @@ TEST(Excavation, SaysWhatIsWrong)
 {
     EXPECT_PRED2(says, CaseScene(column("$p > 3")).errors, "$p is unknown here. Known: $x, $y, $z, $t");
     EXPECT_PRED2(says, CaseScene(column("vector(1, 0, 0)")).errors, "the result is a vector, not a number");
+    EXPECT_PRED2(says, CaseScene(column("sqrt($y - 0.5)")).errors, "this has no value");
     const CaseScene all(column("$t > 0.01"));
     EXPECT_PRED2(says, messageOf([&] { runTo(*all.simulation, 0.1); }), "this leaves no soil");
 }
