@@ -17,8 +17,8 @@ constexpr double hysteresis = 1;        ///< by which gas goes and stands farthe
 constexpr double mostFree = 3;          ///< of the gas beside the liquid that is not ambient
 constexpr int cellsOfBlock = 4;         ///< along each side, of what is kept from being crowded or sparse
 constexpr double mostOff = 0.75;        ///< particles of a block, too many or too few
-constexpr double keptFrom =
-    0.75; ///< share of the way from free to standing gas from which on blocks are kept so: nearer to the liquid what joins or goes leaves a jump of the pressure
+/// Share of the way from free to standing gas from which on blocks are kept so: what joins or goes nearer to the liquid leaves a jump of the pressure.
+constexpr double keptFrom = 0.5;
 }
 
 template<int dim>
