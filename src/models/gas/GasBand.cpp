@@ -18,7 +18,7 @@ constexpr double mostFree = 3;          ///< of the gas beside the liquid that i
 constexpr int cellsOfBlock = 4;         ///< along each side, of what is kept from being crowded or sparse
 constexpr double mostOff = 0.75;        ///< particles of a block, too many or too few
 /// Share of the way from free to standing gas from which on blocks are kept so: what joins or goes nearer to the liquid leaves a jump of the pressure.
-constexpr double keptFrom = 0.5;
+constexpr double keptFrom = 0.4;
 }
 
 template<int dim>

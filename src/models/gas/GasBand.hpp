@@ -6,7 +6,7 @@
 ///  * Places of a cubic lattice in the part that stands still are filled where no particle is nearer than 0.9 spacings. A region that liquid has just enclosed is
 ///    filled likewise, and keeps its gas from then on.
 ///  * What openings hold is theirs: it goes where it is as far from the liquid, and beyond outlets, out of the scene's sight, gaps are filled as above.
-///  * Of ambient gas in the outer half of what moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
+///  * Of ambient gas in the outer three fifths of what moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
 #pragma once
 #include "models/gas/LiquidMap.hpp"
 #include "scene/Particles.hpp"
@@ -53,7 +53,7 @@ private:
     std::vector<std::size_t> bareCells(const Chains&) const;
     std::vector<std::size_t> sparseCells(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
     std::vector<std::size_t> clear(const std::vector<std::size_t>& cells, const Chains&, double gap) const;
-    /// Ambient gas in the outer half of what moves, by blocks of cells: how many particles it has beyond those that fill its volume at rest, and which, with their volumes over that at rest.
+    /// Ambient gas in the outer three fifths of what moves, by blocks of cells: how many particles it has beyond those that fill its volume at rest, and which, with their volumes over that at rest.
     struct Block
     {
         double excess = 0;
