@@ -28,9 +28,10 @@ template<int dim> class WallForces final : public RunningModel<dim>
     /// Swings of the acceleration of a wall under load [m/s^2].
     struct Swing
     {
-        double last = 0, turn = 0, widest = 0,
-               first =
-                   0; ///< acceleration, where it last turned, the last swing between two turns, and that which the growth is measured from
+        double last = 0;          ///< acceleration
+        double turn = 0;          ///< the same where it last turned
+        double widest = 0;        ///< of the last swing, from turn to turn
+        double first = 0;         ///< the swing that the growth is measured from
         int steps = 0, turns = 0; ///< since that turn, and turns that each went further
         /// Whether swings of a few steps each have grown beyond doubt.
         bool hasGrown(double acceleration);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 
 namespace sph
 {
@@ -332,10 +333,9 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
     std::vector<std::size_t> cells;
     {
         const Chains chains(map_, store, owned);
-        cells = bareCells(chains);
-        const auto bare = cells.size(); // in the order of their numbers; a gap beside moving gas may be one of them
-        for (const std::size_t c : sparseCells(store, chains, owned))
-            if (!std::binary_search(cells.begin(), cells.begin() + std::ptrdiff_t(bare), c)) cells.push_back(c);
+        const auto bare = bareCells(chains), sparse = sparseCells(store, chains, owned);
+        cells = bare;
+        std::ranges::set_difference(sparse, bare, std::back_inserter(cells)); // a gap beside moving gas may be a bare cell
     }
     if (cells.empty()) return owned;
 

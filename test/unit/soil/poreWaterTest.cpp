@@ -50,20 +50,6 @@ struct Column
     }
 };
 
-/// The message that a run ends with before `end`; empty where it does not.
-std::string failureOf(AnySimulation& simulation, double end)
-{
-    try
-    {
-        runTo(simulation, end);
-        return "";
-    }
-    catch (const CaseError& e)
-    {
-        return e.what();
-    }
-}
-
 /// u/u_0 at a depth of Z drainage paths, T = c_v t/H^2.
 double terzaghi(double Z, double T)
 {
@@ -377,7 +363,8 @@ TEST(PoreWater, LevelThatEndsMeanwhileIsNamed)
 {
     const CaseScene scene(Column{.load = 0, .ofWater = "waterLevel \"1 + sqrt(0.005 - $t)\";", .gravity = "-9.81"}.files());
     ASSERT_EQ(scene.errors, "");
-    EXPECT_PRED2(sph::says, failureOf(*scene.simulation, 0.02), "constant/soilProperties: waterLevel \"1 + sqrt(0.005 - $t)\" at 0.0");
+    EXPECT_PRED2(sph::says, messageOf([&] { runTo(*scene.simulation, 0.02); }),
+                 "constant/soilProperties: waterLevel \"1 + sqrt(0.005 - $t)\" at 0.0");
 }
 
 // Pores that hold next to nothing would drain and fill in turns.
@@ -385,7 +372,7 @@ TEST(PoreWater, WaterTableThatWouldLeapIsRefused)
 {
     const CaseScene scene(Dam{.yield = 1e-8}.files());
     ASSERT_EQ(scene.errors, "");
-    const auto failure = failureOf(*scene.simulation, 0.01);
+    const auto failure = messageOf([&] { runTo(*scene.simulation, 0.01); });
     EXPECT_PRED2(sph::says, failure, "constant/soilProperties: specificYield 1e-08");
     EXPECT_PRED2(sph::says, failure, "Choose ");
 }
