@@ -122,6 +122,16 @@ void checkEdited(const Dictionary& edited, const std::string& path, const std::s
         throw CaseError(header->where, "the header FoamFile is a dictionary");
 }
 
+/// The text of what is to be edited belongs to it alone.
+void checkOwn(const Path& entries, const std::string& file, const std::string& path)
+{
+    for (const auto* e : entries)
+        if (e->copied || e->where.file != file)
+            throw CaseError(e->where, fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
+                                                  "give it a line of its own in \"{}\" first",
+                                                  e->keyword, path, file));
+}
+
 /// Place behind the last entry of a dictionary: before the line of its closing brace, or at the end of the file, where it is before the
 /// "// **** //" that closes OpenFOAM's files.
 std::size_t placeOfNewEntry(const std::string& text, const Node& node)
@@ -166,19 +176,11 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
     std::string reason;
     auto text = readText(caseFolder / file, reason).value();
 
-    const auto checkOwn = [&](const Path& entries)
-    {
-        for (const auto* e : entries)
-            if (e->copied || e->where.file != file)
-                throw CaseError(e->where, fmt::format("\"{}\" of \"{}\" stands here, where changing it would change more than this entry; "
-                                                      "give it a line of its own in \"{}\" first",
-                                                      e->keyword, path, file));
-    };
     const auto name = withoutLeadingColon(path);
     std::size_t begin = 0; // of the value
     if (const auto found = walk(dictionary.node(), name, false); !found.empty())
     {
-        checkOwn(found);
+        checkOwn(found, file, path);
         const auto& e = *found.back();
         // "keyword;" has no value to replace: one is put behind the keyword. A dictionary has no ';' that a value could use.
         const bool needsEnd = e.dictionary && !isBlock(value);
@@ -192,7 +194,7 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
         if (dot != name.npos && (outer.empty() || !outer.back()->dictionary))
             throw CaseError({file, 0},
                             fmt::format("there is no dictionary \"{}\" to add \"{}\" to", name.substr(0, dot), name.substr(dot + 1)));
-        checkOwn(outer);
+        checkOwn(outer, file, path);
         const auto& node = outer.empty() ? dictionary.node() : *outer.back()->dictionary;
         const auto at = placeOfNewEntry(text, node);
         const bool ownLine = at == 0 || text[at - 1] == '\n';
@@ -204,6 +206,49 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
 
     checkEdited(readAs(text, caseFolder, file, std::make_shared<Diagnostics>()), path, value, begin);
     writeFile(caseFolder / file, text);
+}
+
+void appendEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& keyword, const std::string& value)
+{
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
+    diagnostics->throwIfAny();
+    std::string reason;
+    auto text = readText(caseFolder / file, reason).value();
+    text.insert(placeOfNewEntry(text, dictionary.node()),
+                fmt::format("{}{:<15} {}{}\n", text.ends_with('\n') ? "" : "\n", keyword, value, isBlock(value) ? "" : ";"));
+    readAs(text, caseFolder, file, std::make_shared<Diagnostics>()).diagnostics().throwIfAny();
+    writeFile(caseFolder / file, text);
+}
+
+void removeEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path)
+{
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
+    diagnostics->throwIfAny();
+    require(dictionary, path);
+    const auto found = walk(dictionary.node(), withoutLeadingColon(path), false);
+    if (found.empty()) throw CaseError({file, 0}, fmt::format("\"{}\" is given by a pattern, which stays", path));
+    checkOwn(found, file, path);
+    std::string reason;
+    auto text = readText(caseFolder / file, reason).value();
+    const auto& e = *found.back();
+    auto begin = text.rfind(e.keyword, e.begin - 1);
+    if (e.pattern) --begin; // its quote
+    auto end = e.dictionary ? e.end : text.find(';', e.end) + 1;
+    const auto lineBegin = text.find_last_not_of(" \t", begin == 0 ? 0 : begin - 1), lineEnd = text.find_first_not_of(" \t", end);
+    const bool ownsBegin = begin == 0 || lineBegin == text.npos || text[lineBegin] == '\n',
+               ownsEnd = lineEnd == text.npos || text[lineEnd] == '\n';
+    if (ownsBegin && ownsEnd)
+    {
+        begin = lineBegin == text.npos || begin == 0 ? 0 : lineBegin + 1;
+        end = lineEnd == text.npos ? text.size() : lineEnd + 1;
+    }
+    text.erase(begin, end - begin);
+    const auto edited = readAs(text, caseFolder, file, std::make_shared<Diagnostics>());
+    edited.diagnostics().throwIfAny();
+    writeFile(caseFolder / file, text);
+    if (!walk(edited.node(), withoutLeadingColon(path), false).empty()) removeEntry(caseFolder, file, path); // it was given twice
 }
 
 }

@@ -20,4 +20,11 @@ std::vector<std::string> keywords(const Dictionary&, const std::string& path);
 /// value has mistakes, or where the entry's text stands in an included file or in the dictionary that a macro takes over.
 void setEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path, const std::string& value);
 
+/// Adds an entry at the end of the file, on top of those of its keyword that are there: dictionaries merge. Throws CaseError where the file or the value has mistakes.
+void appendEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& keyword, const std::string& value);
+
+/// Takes one entry out of `caseFolder/file`, with the rest of its line where nothing else stands there; every other character stays. Throws CaseError as setEntry
+/// does, and where there is no such entry.
+void removeEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path);
+
 }

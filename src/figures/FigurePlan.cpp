@@ -12,6 +12,7 @@ namespace entry
 {
 const SubDictionary tables{"tables", required, "tables of figures, in the order in which they are printed"},
     numbers{"numbers", notGiven, "numbers of a run that have no column of their own, for what stands below them"},
+    derivedTables{"derivedTables", notGiven, "tables that are made of those of a run, called by these names"},
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
 const FreeName table{"<table>", "dictionary", "a table, called by this name"},
     number{"<number>", "dictionary", "a number, $<number> below it"},
@@ -22,6 +23,16 @@ const Choice type{"type",
                    {"workPrecision", "errors, orders and costs of a sweep, as workPrecision has written them"}},
                   "figures",
                   "what the table shows"};
+const Choice derivation{
+    "type",
+    {{"crossings",
+      "a row for each change of sign of `value`: its `number` from 1, its `place` along `along`, by proportion between two rows, and, but of the "
+      "first, the `interval` since the crossing before and the `peak`, the largest magnitude within that interval"},
+     {"columns", "a row for each column of the last row, but the first: its `column`, by name, and its `value`; of probes a row each"}},
+    required,
+    "what the rows are"};
+const Text signal{"value", required, "expression of columns whose changes of sign are found"},
+    along{"along", required, "expression of columns, increasing: \"$Time\""};
 const Text against{"against", required,
                    "what the figures are held against: the head of the table, and the column `against` of run/results.csv"},
     nameOfRun{"name", byScene("the words in curly brackets, or the last folder"),
@@ -48,8 +59,10 @@ const DictionaryList figures{"figures", required, "the columns"},
     runsByName{"named", notGiven, "runs with a name or constants of their own, behind those of `runs`"},
     lookUps{"lookUps", notGiven, "columns that come from other tables; a row for which they have none is left out"};
 const SubDictionary lines{"lines", notGiven, "a line for each row of a table, in place of one for each run"};
-const Text log{"log", "sphFoamLike",
-               "log that the pattern is sought in: log.<name>, or a path from the run's folder, in which * stands for any folder"};
+const Text log{
+    "log", "sphFoamLike",
+    "log that the pattern is sought in, or that $steps .. are of, a row each of several: log.<name>, or a path from the run's folder; * stands for any "
+    "folder, and at the end of a name for any ending"};
 const Word dictionary{"dictionary", notGiven, "dictionary of the run"}, nameOfLookUp{"name", required, "of the column"};
 const Text unit{"unit", "%", "of the errors of a sweep: % of the reference, or another unit for errors as they are"};
 const Scalar every{"every", units::none, 0, nonNegative, "rows whose `of` is a multiple of this or the first above it; 0: all rows"};
@@ -96,6 +109,7 @@ NumberPlan readNumber(const Dictionary& d, const std::string& table)
     plan.operation = entry::operation(d);
     plan.pattern = entry::pattern(d, "");
     plan.log = entry::log(d);
+    plan.ofLogs = entry::log.given(d) && plan.pattern.empty();
     plan.file = entry::dictionary(d, "");
     plan.entry = entry::entry_(d, "");
     plan.columns = entry::columns(d);
@@ -109,6 +123,18 @@ NumberPlan readNumber(const Dictionary& d, const std::string& table)
     for (const auto& l : entry::lookUps(d))
         plan.lookUps.push_back({entry::nameOfLookUp(l), entry::table_.needed(l), entry::key(l), entry::at(l), entry::value.needed(l),
                                 readSelection(l), entry::match(l) == "exact", l});
+    return plan;
+}
+
+DerivedTablePlan readDerivedTable(const Dictionary& d, const std::string& table)
+{
+    DerivedTablePlan plan(d);
+    plan.name = d.keyword();
+    plan.type = entry::derivation(d);
+    plan.table = entry::table_(d, table);
+    if (plan.type != "crossings") return plan;
+    plan.value = entry::signal(d);
+    plan.along = entry::along(d);
     return plan;
 }
 
@@ -221,6 +247,8 @@ TablePlan readTable(const Dictionary& d)
     const auto table = entry::table_(d, "");
     if (entry::lines.given(d)) plan.lines = readLines(entry::lines(d));
     const auto rows = plan.lines ? plan.lines->table : table;
+    const auto derived = entry::derivedTables(d);
+    for (const auto& key : derived.keys()) plan.derivedTables.push_back(readDerivedTable(derived.subDict(key), table));
     const auto numbers = entry::numbers(d);
     for (const auto& key : numbers.keys()) plan.numbers.push_back(readNumber(numbers.subDict(key), table));
     for (const auto& f : entry::figures(d)) plan.figures.push_back(readFigure(f, rows));
@@ -315,6 +343,8 @@ EntryList figureEntries()
                               {runsByName, {nameOfRun, folder, constant}},
                               table_,
                               {lines, {nameOfLine, of, table_, {select, {column}}, where, every}},
+                              {derivedTables,
+                               {{table, EntryList{{derivation, {{"crossings", {signal, along}}, {"columns", {}}}}, table_}}}},
                               {numbers, {{number, number_}}},
                               {figures, EntryList{nameOfFigure, format} + number_}};
     return {{tables, {{table, EntryList{against, recorded, {type, {{"figures", ofFigures}, {"workPrecision", {folder, unit}}}}}}}}};

@@ -21,7 +21,13 @@
 ///         sweep { type workPrecision; against "exact solution"; }              // what workPrecision has found
 ///     }
 ///
-/// A table is a line for each run, or with `lines` one for each row of a table.
+/// A table is a line for each run, or with `lines` one for each row of a table. Tables that a run has not written can be made of those that it has:
+///
+///     derivedTables
+///     {
+///         halfPeriods { type crossings; table conservation; along "$Time"; value "$momentum_x"; }      // $number $place $interval $peak
+///         pressures   { type columns; table "pressure/p"; }                                            // $column $value
+///     }
 #pragma once
 #include "dictionary/EntryList.hpp"
 #include <filesystem>
@@ -47,12 +53,21 @@ struct NumberPlan
 {
     explicit NumberPlan(Dictionary d) : dict(std::move(d)) {}
     std::string name, operation, value, where, table, log, pattern, file, entry;
+    bool ofLogs = false; ///< of what the logs tell, a row each
     Selection select;
     std::vector<std::string> columns;
     std::vector<LookUpPlan> lookUps;
     Dictionary dict;
     bool isFigure = false;
     std::string unit, format; ///< of a figure
+};
+
+/// A table that is made of another one of the run.
+struct DerivedTablePlan
+{
+    explicit DerivedTablePlan(Dictionary d) : dict(std::move(d)) {}
+    std::string name, type, table, value, along;
+    Dictionary dict;
 };
 
 struct PlannedRunFolder
@@ -79,6 +94,7 @@ struct TablePlan
     std::string name, against, unit;
     bool isSweep = false, recorded = true;
     std::vector<PlannedRunFolder> runs;
+    std::vector<DerivedTablePlan> derivedTables;
     std::vector<NumberPlan> numbers, figures;
     std::optional<LinesPlan> lines;
     Dictionary dict;

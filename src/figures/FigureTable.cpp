@@ -62,6 +62,7 @@ std::vector<FigureLine> linesOf(const fs::path& caseFolder, const TablePlan& pla
             table.missing.push_back(shown(run.folder));
             continue;
         }
+        for (const auto& derived : plan.derivedTables) numbers.add(derived);
         for (const auto& number : plan.numbers) numbers.add(number);
         const auto add = [&](const std::string& name, const auto& value)
         {

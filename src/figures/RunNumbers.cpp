@@ -35,10 +35,24 @@ const std::vector<Fact>& facts()
         {"largestSpeed", "largest speed of a particle in all reports [m/s]", " max\\|U\\| +([^ ]+)", true},
         {"energySupply", "largest energy over what the scene has supplied", "energy/supply ([^ ]+)", true},
         {"processorTime", "processor time of the solver [s]", "^ExecutionTime = ([^ ]+) s"},
+        {"timeOfStep", "processor time of a step, without what comes before the first report [s]", ""}, // of two of them
         {"putBack", "particles that were put back from inside walls", "^Leaked: ([0-9]+)"},
         {"particles", "particles at the start", "^Particles *: *([0-9]+)"},
     };
     return all;
+}
+
+/// What the pattern finds, of each line that has it.
+std::vector<double> numbersIn(const std::vector<std::string>& lines, const std::string& text)
+{
+    const std::regex pattern(text);
+    std::vector<double> values;
+    for (const auto& line : lines)
+    {
+        std::smatch found;
+        if (std::regex_search(line, found, pattern)) values.push_back(finiteNumber(found[1]).value_or(NAN));
+    }
+    return values;
 }
 
 double reduce(const std::string& operation, const std::vector<double>& values)
@@ -56,6 +70,31 @@ double reduce(const std::string& operation, const std::vector<double>& values)
     if (operation == "mean") return mean;
     const double square = std::accumulate(values.begin(), values.end(), 0.0, [](double s, double a) { return s + a * a; }) / n;
     return operation == "rms" ? std::sqrt(square) : std::sqrt(std::max(square - mean * mean, 0.0));
+}
+
+double factOf(const std::vector<std::string>& log, const Fact& fact)
+{
+    const auto named = [](const char* name) { return std::ranges::find(facts(), name, &Fact::name)->pattern; };
+    if (fact.name != "timeOfStep") return reduce(fact.largest ? "max" : "last", numbersIn(log, fact.pattern));
+    const auto steps = numbersIn(log, named("steps")), times = numbersIn(log, named("processorTime"));
+    return (reduce("last", times) - reduce("first", times)) / (reduce("last", steps) - reduce("first", steps));
+}
+
+/// A mistake at the entry of the dictionary where it is to be changed, if it is not there yet.
+CaseError located(const CaseError& mistake, const Dictionary& dict)
+{
+    const std::string what = mistake.what();
+    return what.starts_with(dict.location().file) ? mistake : CaseError(dict.location(), what);
+}
+
+/// A row for each column of the last row, but the first.
+RunTable columnsOf(const RunTable& of)
+{
+    std::vector<std::vector<std::string>> rows;
+    for (std::size_t k = 1; k < of.names().size() && of.size() > 0; ++k)
+        rows.push_back({of.names()[k], of.cell(of.size() - 1, of.names()[k])});
+    std::vector<int> lines(rows.size(), 0);
+    return {of.file(), {"column", "value"}, std::move(rows), std::move(lines)};
 }
 
 }
@@ -92,9 +131,11 @@ std::string RunNumbers::day() const
 const RunTable& RunNumbers::table(const std::string& pattern)
 {
     const auto name = filledName(pattern, words_);
-    const auto known = tables_.find(name);
-    if (known != tables_.end()) return known->second;
-    return tables_.emplace(name, RunTable(case_, tableFile(case_, folder_, name))).first->second;
+    if (const auto known = tables_.find(name); known != tables_.end()) return known->second;
+    // Taken out first: one that is made of itself is not found.
+    const auto derived = derived_.extract(name);
+    return tables_.emplace(name, derived.empty() ? RunTable(case_, tableFile(case_, folder_, name)) : derive(derived.mapped()))
+        .first->second;
 }
 
 /// Also that of a run that has failed, which may be what is to be shown.
@@ -107,12 +148,21 @@ std::string RunNumbers::log(const std::string& name) const
 
 std::vector<std::string> RunNumbers::logs(const std::string& name) const
 {
-    if (name.find('/') == name.npos) return {log(name)};
+    const bool isPath = name.find('/') != name.npos, isOpen = name.ends_with('*');
+    if (!isPath && !isOpen) return {log(name)};
     std::vector<std::string> files;
-    const fs::path path(name);
+    const fs::path path(isPath ? name : "log." + name);
+    auto beginning = path.filename().string();
+    if (isOpen) beginning.pop_back();
+    std::error_code none;
     for (const auto& folder : foldersOf({"", folder_.lexically_relative(case_) / path.parent_path(), {}, {}}, case_))
-        if (fs::exists(case_ / folder.folder / path.filename()))
-            files.push_back((folder.folder / path.filename()).lexically_normal().string());
+    {
+        const auto first = files.size();
+        for (const auto& entry : fs::directory_iterator(case_ / folder.folder, none))
+            if (const auto file = entry.path().filename().string(); isOpen ? file.starts_with(beginning) : file == beginning)
+                files.push_back((folder.folder / file).lexically_normal().string());
+        std::sort(files.begin() + std::ptrdiff_t(first), files.end());
+    }
     return files;
 }
 
@@ -166,16 +216,70 @@ std::optional<double> RunNumbers::ofTheLog(const std::string& name)
 {
     const auto fact = std::ranges::find(facts(), name, &Fact::name);
     if (fact == facts().end()) return {};
+    if (const auto told = told_.find(name); told != told_.end()) return told->second;
     const auto& lines = linesOfLog(log("sphFoamLike"));
     if (!lines) return NAN;
-    const std::regex pattern(fact->pattern);
-    std::vector<double> values;
-    for (const auto& line : *lines)
+    return told_[name] = factOf(*lines, *fact);
+}
+
+/// What logs tell, of what the number asks for: a row each.
+RunTable RunNumbers::toldByLogs(const NumberPlan& plan)
+{
+    std::vector<Fact> asked;
+    for (const auto& fact : facts())
+        if ((plan.value + plan.where).find("$" + fact.name) != std::string::npos) asked.push_back(fact);
+    std::vector<std::string> names;
+    for (const auto& fact : asked) names.push_back(fact.name);
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& file : logs(filledName(plan.log, words_)))
     {
-        std::smatch found;
-        if (std::regex_search(line, found, pattern)) values.push_back(finiteNumber(found[1]).value_or(NAN));
+        const auto& lines = linesOfLog(file);
+        if (!lines) throw CaseError(plan.dict.where("log"), fmt::format("{} is not there", file));
+        auto& row = rows.emplace_back();
+        for (const auto& fact : asked) row.push_back(fmt::format("{}", factOf(*lines, fact)));
     }
-    return known_[name] = reduce(fact->largest ? "max" : "last", values);
+    std::vector<int> lines(rows.size(), 0);
+    return {"log." + plan.log, std::move(names), std::move(rows), std::move(lines)};
+}
+
+RunTable RunNumbers::derive(const DerivedTablePlan& plan)
+{
+    try
+    {
+        const auto& of = table(plan.table);
+        return plan.type == "crossings" ? crossings(plan, of) : columnsOf(of);
+    }
+    catch (const CaseError& mistake)
+    {
+        throw located(mistake, plan.dict);
+    }
+}
+
+/// A row for each change of sign. It lies between the rows around it that have a value other than 0.
+RunTable RunNumbers::crossings(const DerivedTablePlan& plan, const RunTable& of)
+{
+    const auto all = of.allRows();
+    const auto value = evaluate(plan.value, plan.dict, "value", &of, all, {}),
+               along = evaluate(plan.along, plan.dict, "along", &of, all, {});
+    std::vector<std::vector<std::string>> rows;
+    double peak = NAN, placeBefore = NAN;
+    std::size_t before = 0;
+    for (const auto k : all)
+    {
+        if (!(std::abs(value[k]) > 0)) continue;
+        if (value[before] * value[k] < 0)
+        {
+            const double place = along[before] + (along[k] - along[before]) * value[before] / (value[before] - value[k]);
+            rows.push_back({fmt::format("{}", rows.size() + 1), fmt::format("{}", place), fmt::format("{}", place - placeBefore),
+                            fmt::format("{}", peak)});
+            placeBefore = place;
+            peak = 0;
+        }
+        if (!rows.empty()) peak = std::max(peak, std::abs(value[k]));
+        before = k;
+    }
+    std::vector<int> lines(rows.size(), 0);
+    return {of.file(), {"number", "place", "interval", "peak"}, std::move(rows), std::move(lines)};
 }
 
 /// An entry as a table of one row; a dimensioned number has its dimensions in front, `mu [1 -1 -1 0 0 0 0] 1e-3;`.
@@ -334,9 +438,9 @@ double RunNumbers::operator()(const NumberPlan& plan)
         const auto rows = entryOf(plan);
         return reduced(plan, &rows);
     }
-    if (!plan.pattern.empty())
+    if (!plan.pattern.empty() || plan.ofLogs)
     {
-        const auto rows = logged(plan);
+        const auto rows = plan.ofLogs ? toldByLogs(plan) : logged(plan);
         return reduced(plan, &rows);
     }
     try
@@ -347,15 +451,15 @@ double RunNumbers::operator()(const NumberPlan& plan)
     }
     catch (const CaseError& mistake)
     {
-        const std::string what = mistake.what();
-        if (what.starts_with(plan.dict.location().file)) throw;
-        throw CaseError(plan.dict.location(), what);
+        throw located(mistake, plan.dict);
     }
 }
 
 double RunNumbers::operator()(const NumberPlan& plan, std::size_t row) { return reduced(plan, &table(plan.table), Rows{row}); }
 
 void RunNumbers::add(const NumberPlan& plan) { known_[plan.name] = (*this)(plan); }
+
+void RunNumbers::add(const DerivedTablePlan& plan) { derived_.emplace(plan.name, plan); }
 
 std::vector<std::pair<std::size_t, double>> RunNumbers::lines(const LinesPlan& plan)
 {

@@ -12,7 +12,9 @@ class RunNumbers
     std::filesystem::path case_, folder_;
     std::vector<std::string> words_;
     std::map<std::string, double> known_; ///< constants of the run and numbers that have been found
+    std::map<std::string, double> told_;  ///< by the run's own log
     std::map<std::string, RunTable> tables_;
+    std::map<std::string, DerivedTablePlan> derived_;                            ///< those that have not been made yet
     std::map<std::string, std::optional<std::vector<std::string>>> linesOfLogs_; ///< of each that has been asked for, by its path
 
     const RunTable& table(const std::string& name);
@@ -21,6 +23,9 @@ class RunNumbers
     /// Of a file relative to the case, read once; nothing where it is not there.
     const std::optional<std::vector<std::string>>& linesOfLog(const std::string& file);
     RunTable logged(const NumberPlan&);
+    RunTable toldByLogs(const NumberPlan&);
+    RunTable derive(const DerivedTablePlan&);
+    RunTable crossings(const DerivedTablePlan&, const RunTable&);
     RunTable entryOf(const NumberPlan&) const;
     std::optional<double> ofTheLog(const std::string& name);
 
@@ -45,6 +50,8 @@ public:
     double operator()(const NumberPlan&, std::size_t row);
     /// Makes a number known to the expressions that follow.
     void add(const NumberPlan&);
+    /// Makes a table known by its name; it is made when it is asked for.
+    void add(const DerivedTablePlan&);
     /// The rows of which each is a line, with the value of its name.
     std::vector<std::pair<std::size_t, double>> lines(const LinesPlan&);
     /// True where the run has been made: it has a log.

@@ -17,6 +17,7 @@
 #include "surfaces/entries/surfaceTable.hpp"
 #include "sweeps/ResultTable.hpp"
 #include "sweeps/SweepPlan.hpp"
+#include "sweeps/cloneCase.hpp"
 #include "verification/verification.hpp"
 
 namespace sph
@@ -47,6 +48,7 @@ EntryRegistry collect()
         for (const auto& each : model->entries) all.add(each.file, each.entries, each.meaning);
     all.add(elementTestDictionary, elementTestEntries(), "what elementTest does to one element of soil");
     all.add("system/workPrecisionDict", sweepEntries(), "the runs that workPrecision makes and what it compares");
+    all.add(variantsDictionary, variantEntries(), "runs beside the case itself, as cloneCase makes them: what each changes");
     all.add(figuresDictionary, figureEntries(), "tables of figures that caseFigures makes of what the runs of a case have left");
     for (const auto& table : functionTables()) all.add(table);
     for (const auto& table : {surfaceTable(), bedTable(), heightTable(), radialTable(), sizesTable(), grainsTable(), contactsTable(),

@@ -1,12 +1,12 @@
 #include "sweeps/CaseCopy.hpp"
 #include "base/OutputFile.hpp"
 #include "base/readText.hpp"
-#include "dictionary/DictionaryText.hpp"
 #include <algorithm>
 #include <cstdint>
 #include <fmt/format.h>
 #include <fstream>
 #include <regex>
+#include <set>
 
 namespace sph
 {
@@ -68,15 +68,35 @@ void keepIncludes(const fs::path& from, const fs::path& to)
         }
 }
 
-bool has(const fs::path& folder, const Override& o, std::size_t depth)
+/// A folder of a case, without what meshToGhost and the solver write.
+void copyFiles(const fs::path& from, const fs::path& to, const fs::path& part)
 {
-    auto d = Dictionary::read(folder, o.file, std::make_shared<Diagnostics>());
-    for (std::size_t k = 0; k < depth; ++k)
+    static const std::set<fs::path> written{
+        "constant/polyMesh",   "constant/walls",  "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp",
+        "constant/lagrangian", "constant/uniform"};
+    createFolders(to / part);
+    for (const auto& each : fs::directory_iterator(from / part))
     {
-        if (!d.found(o.keywords[k])) return false;
-        if (k + 1 < depth) d = d.subDict(o.keywords[k]);
+        const auto name = part / each.path().filename();
+        if (written.contains(name)) continue;
+        if (each.is_directory()) copyFiles(from, to, name);
+        else fs::copy_file(each.path(), to / name, fs::copy_options::overwrite_existing);
     }
-    return true;
+}
+
+/// What a run begins with.
+void copyParts(const fs::path& from, const fs::path& to, const fs::path& start)
+{
+    try
+    {
+        createFolders(to);
+        for (const fs::path& part : {fs::path("constant"), fs::path("system"), fs::path("reference"), start})
+            if (fs::exists(from / part)) copyFiles(from, to, part);
+    }
+    catch (const fs::filesystem_error& e)
+    {
+        throw CaseError({to.string(), 0}, "cannot be made: " + e.code().message());
+    }
 }
 
 }
@@ -85,43 +105,15 @@ void copyInputs(const fs::path& from, const fs::path& to, bool withStart)
 {
     std::error_code reason;
     fs::remove_all(to, reason);
-    createFolders(to);
-    const bool original = fs::exists(from / "0.orig", reason);
-    for (const char* part : {"constant", "system", "reference", "0.orig", "0"})
-        if (fs::exists(from / part, reason) && (std::string_view(part) != "0" || (withStart && !original)))
-        {
-            fs::copy(from / part, to / part, fs::copy_options::recursive, reason);
-            if (reason) throw CaseError({(to / part).string(), 0}, "cannot be made: " + reason.message());
-        }
-    for (const char* written : {"constant/polyMesh", "constant/walls", "constant/triSurface/walls.stl", "constant/triSurface/walls.vtp",
-                                "constant/lagrangian", "constant/uniform"})
-        fs::remove_all(to / written, reason);
+    copyParts(from, to, withStart && !fs::exists(from / "0.orig") ? "0" : "0.orig");
     keepIncludes(from, to);
 }
 
-void apply(const std::vector<Override>& overrides, const fs::path& caseFolder, Diagnostics& diagnostics)
+void renewInputs(const fs::path& from, const std::vector<fs::path>& laidOver, const fs::path& to)
 {
-    for (const auto& o : overrides) try
-        {
-            std::string outer;
-            for (std::size_t depth = 1; depth < o.keywords.size(); ++depth)
-            {
-                outer += (depth > 1 ? "." : "") + o.keywords[depth - 1];
-                if (!has(caseFolder, o, depth)) setEntry(caseFolder, o.file, outer, "{ }");
-            }
-            setEntry(caseFolder, o.file, o.entry(), o.value);
-        }
-        catch (const CaseError& e)
-        {
-            diagnostics.error(o.where, fmt::format("\"{}\" of {} cannot be set: {}", o.entry(), o.file, e.what()));
-        }
-}
-
-Location placeOf(const Override& o, const fs::path& caseFolder)
-{
-    auto d = Dictionary::read(caseFolder, o.file, std::make_shared<Diagnostics>());
-    for (std::size_t k = 0; k + 1 < o.keywords.size(); ++k) d = d.subDictOrEmpty(o.keywords[k]);
-    return d.found(o.keywords.back()) ? d.where(o.keywords.back()) : Location{o.file, 0};
+    copyParts(from, to, "0.orig");
+    keepIncludes(from, to);
+    for (const auto& folder : laidOver) copyParts(folder, to, "0.orig");
 }
 
 std::string inputsStamp(const fs::path& folder, const std::vector<std::string>& without, const std::vector<std::string>& more)

@@ -9,12 +9,9 @@ namespace sph
 /// meshToGhost and the solver write; includes by paths out of the case follow. A folder of that name is replaced.
 void copyInputs(const std::filesystem::path& from, const std::filesystem::path& to, bool withStart);
 
-/// Gives the entries their values, in order; comments, macros and includes stay, so that entries made of others by macros follow.
-/// A dictionary that is missing is added. An entry that cannot be set is recorded at its place in workPrecisionDict.
-void apply(const std::vector<Override>&, const std::filesystem::path& caseFolder, Diagnostics&);
-
-/// Location of an override in the copy; file without line where it is not there.
-Location placeOf(const Override&, const std::filesystem::path& caseFolder);
+/// The same into a folder that keeps whatever else it has, with files of `laidOver`, folders of such parts, in place of those of the case; what
+/// these include is sought from the copy. 0 is not copied.
+void renewInputs(const std::filesystem::path& from, const std::vector<std::filesystem::path>& laidOver, const std::filesystem::path& to);
 
 /// 16 hexadecimal digits that change with any byte of the files below a folder, their names, or `more`; files `without` apart.
 std::string inputsStamp(const std::filesystem::path& folder, const std::vector<std::string>& without, const std::vector<std::string>& more);

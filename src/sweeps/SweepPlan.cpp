@@ -63,59 +63,6 @@ std::vector<double> readResolutions(const Dictionary& d)
     return ladder;
 }
 
-/// The name of a variant is that of a folder and of a curve.
-bool isPlainName(const std::string& name)
-{
-    return !name.empty() && name[0] != '.' &&
-           std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || std::strchr("_-+.", c); });
-}
-
-std::vector<std::string> filesOf(const std::filesystem::path& folder)
-{
-    std::vector<std::string> files;
-    std::error_code none;
-    for (const char* part : {"system", "constant"})
-        for (const auto& entry : std::filesystem::directory_iterator(folder / part, none))
-            if (entry.is_regular_file(none)) files.push_back(fmt::format("{}/{}", part, entry.path().filename().string()));
-    std::ranges::sort(files);
-    return files;
-}
-
-void collectEntries(const Dictionary& d, Override under, std::vector<Override>& overrides)
-{
-    for (const auto& key : d.keys())
-    {
-        auto next = under;
-        next.keywords.push_back(key);
-        if (d.isDictionary(key)) collectEntries(d.subDict(key), next, overrides);
-        else
-        {
-            next.value = valueText(d, key);
-            next.where = d.where(key);
-            overrides.push_back(std::move(next));
-        }
-        d.ignore(key);
-    }
-}
-
-/// `"system/sphSchemes" { entries }` for any number of files.
-std::vector<Override> readOverrides(const Dictionary& d, const std::filesystem::path& baseCase)
-{
-    std::vector<Override> overrides;
-    for (const auto& file : d.keys())
-    {
-        const auto known = filesOf(baseCase);
-        if (!d.isDictionary(file))
-            d.error(file, fmt::format("\"{}\" must be a file of the case with the entries to change in it: \"system/sphSchemes\" {{ .. }}",
-                                      file));
-        else if (std::ranges::find(known, file) == known.end())
-            d.error(file, fmt::format("the case has no file \"{}\". {}", file, suggestion(file, "files", known)));
-        else collectEntries(d.subDict(file), {file, {}, {}, {}}, overrides);
-        d.ignore(file);
-    }
-    return overrides;
-}
-
 std::vector<ErrorChoice> readErrors(const Dictionary& d)
 {
     std::vector<ErrorChoice> choices;
@@ -197,8 +144,6 @@ EntryList sweepEntries()
             peers,
             plots};
 }
-
-std::string Override::entry() const { return fmt::format("{}", fmt::join(keywords, ".")); }
 
 std::string PlannedRun::name() const { return variant + "/" + shortestText(resolution); }
 

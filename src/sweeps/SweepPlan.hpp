@@ -26,24 +26,12 @@
 ///
 /// `$n`, and every macro and #eval, is resolved when the dictionary is read, once for each resolution.
 #pragma once
-#include "case/Case.hpp"
 #include "dictionary/EntryList.hpp"
+#include "sweeps/Override.hpp"
 #include <optional>
 
 namespace sph
 {
-
-/// One entry to be given another value, in the copy of the case.
-struct Override
-{
-    std::string file;                  ///< relative to the case
-    std::vector<std::string> keywords; ///< dictionary, sub-dictionary, .. entry
-    std::string value;
-    Location where; ///< in workPrecisionDict
-
-    /// "resolution.spacing"
-    std::string entry() const;
-};
 
 /// Choice of the error of a run.
 struct ErrorChoice

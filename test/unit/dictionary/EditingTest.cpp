@@ -25,13 +25,13 @@ void write(const std::string& file, const std::string& text)
 }
 
 /// The text of a dictionary after an edit, or the message that refused it.
-std::string edited(const std::string& text, const std::string& entry, const std::string& value)
+template<class Edit> std::string after(const std::string& text, const Edit& edit)
 {
     write("d", text);
     std::string result;
     try
     {
-        setEntry(folder, "d", entry, value);
+        edit();
         result = read("d");
     }
     catch (const CaseError& e)
@@ -41,6 +41,16 @@ std::string edited(const std::string& text, const std::string& entry, const std:
     }
     std::filesystem::remove_all(folder);
     return result;
+}
+
+std::string edited(const std::string& text, const std::string& entry, const std::string& value)
+{
+    return after(text, [&] { setEntry(folder, "d", entry, value); });
+}
+
+std::string without(const std::string& text, const std::string& entry)
+{
+    return after(text, [&] { removeEntry(folder, "d", entry); });
 }
 
 }
@@ -77,6 +87,21 @@ TEST(DictionaryEditing, setsTheDefinitionThatCounts)
     EXPECT_EQ(edited("a 1;\ns { x 1; }\na 2;\ns { x 3; }\n", "a", "9"), "a 1;\ns { x 1; }\na 9;\ns { x 3; }\n");
     EXPECT_EQ(edited("a 1;\ns { x 1; }\na 2;\ns { x 3; }\n", "s.x", "9"), "a 1;\ns { x 1; }\na 2;\ns { x 9; }\n");
     EXPECT_EQ(edited("base { v 1; }\np { $base; v 2; }\n", "p.v", "9"), "base { v 1; }\np { $base; v 9; }\n");
+}
+
+// An entry goes with its line where it has one to itself, and with each of its definitions.
+TEST(DictionaryEditing, removesAnEntry)
+{
+    EXPECT_EQ(without("a 1;\n  b 2;\nc 3;\n", "b"), "a 1;\nc 3;\n");
+    EXPECT_EQ(without("a 1; b 2; // both\n", "b"), "a 1;  // both\n");
+    EXPECT_EQ(without("s\n{\n    x { y 1; }\n    z 2;\n}\n", "s.x"), "s\n{\n    z 2;\n}\n");
+    EXPECT_EQ(without("s { x (1\n 2); }\n", "s.x"), "s {  }\n");
+    EXPECT_EQ(without("a 1;\nb 2;\na 3;\n", "a"), "b 2;\n");
+    EXPECT_EQ(without("\"p.*\" 1;\nq 2;\n", "p.*"), "q 2;\n");
+    EXPECT_EQ(without("a 1;\nab 2;\n", "b"), "d: there is no entry \"b\". Known entries: a, ab.");
+    EXPECT_EQ(without("\"p.*\" 1;\n", "pq"), "d: \"pq\" is given by a pattern, which stays");
+    EXPECT_EQ(without("a 1;\nb $a;\n", "a"), "d:1: \"$a\" is neither an entry that is defined above nor an environment variable");
+    EXPECT_EQ(without("base { v 1; }\np { $base; }\n", "p.v").find("d:1: \"v\" of \"p.v\" stands here, where"), 0u);
 }
 
 // What would change another entry, or break the file, is refused, and nothing is written.

@@ -16,6 +16,7 @@ const std::string errors =
 const std::string log =
     "step 10  deltaT 0.1 (capillary)  max|U| 3.5  kinetic energy 1  energy/supply 0.4\nExecutionTime = 1.5 s\n"
     "step 20  deltaT 0.2 (capillary)  max|U| 2.5  kinetic energy 1  energy/supply 0.3\nExecutionTime = 2.5 s\nbalance: mass off by -3e-3\nLeaked: 4 particles put back\n";
+const std::string logOfAgain = "step 10  deltaT 0.1\nExecutionTime = 1 s\nstep 20  deltaT 0.1\nExecutionTime = 1.4 s\n";
 
 /// A case with two runs: run/a, and run/workPrecision/v/8.
 Files files(const std::string& tables)
@@ -25,6 +26,7 @@ Files files(const std::string& tables)
     for (const std::string run : {"run/a/", "run/workPrecision/v/8/"})
     {
         all[run + "log.sphFoamLike"] = log;
+        all[run + "log.sphFoamLike.again"] = logOfAgain;
         all[run + "postProcessing/conservation/0/conservation.dat"] = conservation;
         all[run + "postProcessing/errors/0/errors.dat"] = errors;
         all[run + "postProcessing/errors/2/errors.dat"] = "# Time\tfield\tL2\tvalue\treference\n2\tp\t0.0625\t1\t1\n";
@@ -100,6 +102,51 @@ TEST(Figures, OfLogsAndDictionaries)
     EXPECT_EQ(figure("pattern \"^balance: mass off by ([^ ]+)\"; value \"abs($value)\";"), "0.003");
     EXPECT_EQ(figure("pattern \"^step ([0-9]+)  deltaT ([^ ]+) \"; columns (n dT); operation mean; value \"$n*$dT\";"), "2.5");
     EXPECT_EQ(figure("dictionary \"constant/phaseProperties\"; entry \"gas.mu\"; value \"3*$value\";"), "0.006");
+}
+
+// What another log tells, and several logs, a row each: the last times of the two are 2.5 and 1.4, their 10 steps take 1 and 0.4 s.
+TEST(Figures, OfSeveralLogs)
+{
+    EXPECT_EQ(figure("value \"$timeOfStep\";"), "0.1");
+    EXPECT_EQ(figure("log \"../workPrecision/v/8/log.sphFoamLike.again\"; value \"$processorTime\";"), "1.4");
+    EXPECT_EQ(figure("log \"sphFoamLike*\"; operation sum; value \"$processorTime\";"), "3.9");
+    EXPECT_EQ(figure("log \"sphFoamLike*\"; operation min; value \"$timeOfStep\"; where \"$processorTime > 2\";"), "0.1");
+    EXPECT_EQ(figure("log \"none*\"; operation count; value \"$steps\";"), "0");
+    EXPECT_NE(figure("log none; value \"$steps\";").find("run/a/log.none is not there"), std::string::npos);
+}
+
+/// A figure of run/a from the table d that is made of others.
+std::string derived(const std::string& table, const std::string& entries)
+{
+    const auto text = firstLine("t { against x; runs (a); table conservation; derivedTables { d { " + table +
+                                " } } figures ( { name f; table d; " + entries + " } ); }");
+    const std::string begin = "a,f,";
+    return text.starts_with(begin) ? text.substr(begin.size(), text.rfind(',') - begin.size()) : text;
+}
+
+// Of -12, 12, -2 at 0, 0.5, 1: changes of sign at 0.25 and 0.5 + 0.5*12/14, and the largest between them.
+TEST(Figures, CrossingsOfAValue)
+{
+    const auto of = [](const std::string& entries)
+    { return derived("type crossings; along \"$Time\"; value \"$kineticEnergy - 20\";", entries + " format \"%.6g\";"); };
+    EXPECT_EQ(of("operation count; value \"1\";"), "2");
+    EXPECT_EQ(of("operation first; value \"$place\";"), "0.25");
+    EXPECT_EQ(of("select { number 2; } value \"$place\";"), "0.928571");
+    EXPECT_EQ(of("value \"$interval\";"), "0.678571");
+    EXPECT_EQ(of("value \"$peak\";"), "12");
+    EXPECT_EQ(of("operation first; value \"$interval + $peak\";"), ""); // none before the first
+    // A zero between two signs is one change, and between two of one sign none.
+    EXPECT_EQ(derived("type crossings; along \"$Time\"; value \"2*$Time - 1\";", "operation sum; value \"$place\";"), "0.5");
+    EXPECT_EQ(derived("type crossings; along \"$Time\"; value \"sqr(2*$Time - 1)\";", "operation count; value \"1\";"), "0");
+}
+
+// The last row of errors/0 is: 1 p 0.75 nan 4.
+TEST(Figures, ColumnsAsRows)
+{
+    const std::string table = "type columns; table \"errors/0\";";
+    EXPECT_EQ(derived(table, "select { column (L2 reference); } operation sum; value \"$value\";"), "4.75");
+    EXPECT_EQ(derived(table, "operation count; value \"1\";"), "4");
+    EXPECT_NE(derived("type columns; table d;", "value \"$value\";").find("there is no table \"d\""), std::string::npos);
 }
 
 // A number hides a column of its name; a run has constants, others have none of them; words in curly brackets name a run.

@@ -2,8 +2,13 @@
 set terminal pngcairo size 1000,430 font ',10'
 set output 'sandColumn.png'
 # The surface: half a spacing above the highest particle, column `top` of function object `column`
-stats "< tail -n 1 run/roughFine/postProcessing/column/0/reduction.dat" using 3 nooutput
+# a table of a function object with its columns by name
+dat(file) = "< sed -n '/^# Time/,$ { s/^# //; y/\\t/,/; p }' ".file
+set datafile separator ','
+set datafile columnheaders
+stats dat('run/roughFine/postProcessing/column/0/reduction.dat') using (column('top')) nooutput
 top = STATS_max
+unset datafile
 set multiplot layout 1,2
 set grid
 set yrange [1:0]

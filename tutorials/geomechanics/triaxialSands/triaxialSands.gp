@@ -2,7 +2,10 @@
 set terminal pngcairo size 1200,760 font ',10'
 set output 'triaxialSands.png'
 set multiplot layout 2,3
+# a table of a function object with its columns by name
+dat(file) = "< sed -n '/^# Time/,$ { s/^# //; y/\\t/,/; p }' ".file
 set datafile separator ','
+set datafile columnheaders
 set datafile commentschars '#'
 tables = 'postProcessing/elementTest/'
 set grid
@@ -17,12 +20,12 @@ set ylabel 'q [kPa]'
 set key bottom right
 plot tables.'dense.csv' using (100*$1):@q with lines ls 1 title 'dense, e = 0.56', tables.'loose.csv' using (100*$1):@q with lines ls 2 title 'loose, e = 0.8', \
     'reference/drained.csv' using (is(0.56)*100*$5):(1e-3*$6) with points pt 6 ps 0.9 lc 'black' title 'reference', '' using (is(0.8)*100*$5):(1e-3*$6) with points pt 6 ps 0.9 lc 'black' notitle, \
-    "<tr '\\t' , < run/dense/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$2) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr '\\t' , < run/loose/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$2) with points pt 2 ps 0.7 lc 'black' notitle
+    dat('run/dense/postProcessing/specimen/0/reduction.dat') using (-100*log(1 - 0.1*column('Time'))):(1e-3*column('deviator')) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', dat('run/loose/postProcessing/specimen/0/reduction.dat') using (-100*log(1 - 0.1*column('Time'))):(1e-3*column('deviator')) with points pt 2 ps 0.7 lc 'black' notitle
 set ylabel 'void ratio'
 set key center right
 plot tables.'dense.csv' using (100*$1):'voidRatio [-]' with lines ls 1 title 'dense', tables.'loose.csv' using (100*$1):'voidRatio [-]' with lines ls 2 title 'loose', \
     'reference/drained.csv' using (is(0.56)*100*$5):8 with points pt 6 ps 0.9 lc 'black' title 'reference', '' using (is(0.8)*100*$5):8 with points pt 6 ps 0.9 lc 'black' notitle, \
-    "<tr '\\t' , < run/dense/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):4 with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr '\\t' , < run/loose/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):4 with points pt 2 ps 0.7 lc 'black' notitle
+    dat('run/dense/postProcessing/specimen/0/reduction.dat') using (-100*log(1 - 0.1*column('Time'))):(column('meanVoidRatio')) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', dat('run/loose/postProcessing/specimen/0/reduction.dat') using (-100*log(1 - 0.1*column('Time'))):(column('meanVoidRatio')) with points pt 2 ps 0.7 lc 'black' notitle
 set title 'undrained, 100 kPa'
 set xlabel "p' [kPa]"
 set ylabel 'q [kPa]'
@@ -38,7 +41,7 @@ set key center right
 set ylabel 'pore pressure [kPa]'
 set yrange [-150:100]
 plot tables.'denseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 1 title 'dense', tables.'looseUndrained.csv' using (100*$1):(1e-3*column('porePressure [Pa]')) with lines ls 2 title 'loose', \
-    "<tr '\\t' , < run/undrained-dense/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$5) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', "<tr '\\t' , < run/undrained-loose/postProcessing/specimen/0/reduction.dat" using (-100*log(1 - 0.1*$1)):(1e-3*$5) with points pt 2 ps 0.7 lc 'black' notitle, \
+    dat('run/undrained-dense/postProcessing/specimen/0/reduction.dat') using (-100*log(1 - 0.1*column('Time'))):(1e-3*column('meanPorePressure')) with points pt 2 ps 0.7 lc 'black' title 'specimen of particles', dat('run/undrained-loose/postProcessing/specimen/0/reduction.dat') using (-100*log(1 - 0.1*column('Time'))):(1e-3*column('meanPorePressure')) with points pt 2 ps 0.7 lc 'black' notitle, \
     'reference/undrained.csv' using (is(0.6)*100*$5):(1e-3*$8) with points pt 6 ps 0.9 lc 'black' notitle, '' using (is(0.8)*100*$5):(1e-3*$8) with points pt 6 ps 0.9 lc 'black' notitle
 set autoscale
 set title 'oedometer, e = 0.58'

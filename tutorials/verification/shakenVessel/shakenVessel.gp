@@ -1,8 +1,11 @@
 # Kinetic energy against time: gnuplot shakenVessel.gp
 set terminal pngcairo size 800,430 font ',10'
 set output 'shakenVessel.png'
-of(kind) = "< grep -v '^#' run/".kind."/postProcessing/conservation/0/conservation.dat | awk '{ print $1, $(NF - 1)/$2 }'"
+# a table of a function object with its columns by name
+dat(file) = "< sed -n '/^# Time/,$ { s/^# //; y/\\t/,/; p }' ".file
+set datafile separator ','
+set datafile columnheaders
 set xlabel 't [s]'
 set ylabel 'kinetic energy [J/kg]'
 set key outside right
-plot for [k in "angular rounded elongated flat concave"] of(k) using 1:2 with lines lw 1.5 title k
+plot for [k in "angular rounded elongated flat concave"] dat('run/'.k.'/postProcessing/conservation/0/conservation.dat') using (column('Time')):(column('kineticEnergy')/column('mass')) with lines lw 1.5 title k
