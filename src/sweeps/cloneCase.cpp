@@ -19,13 +19,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-/// A variant: files that are laid over those of the case, then entries.
-struct Variant
-{
-    std::vector<fs::path> folders;
-    std::vector<Override> overrides;
-};
-
 class Variants
 {
     fs::path folder_;
@@ -33,17 +26,6 @@ class Variants
 
     fs::path folderOf(const std::string& name) const { return folder_ / "variants" / name; }
     bool knows(const std::string& name) const { return entries_.isDictionary(name) || fs::is_directory(folderOf(name)); }
-
-    /// That of the name, or else those of the parts that it puts together.
-    std::vector<fs::path> folders(const std::string& name) const
-    {
-        if (fs::is_directory(folderOf(name))) return {folderOf(name)};
-        std::vector<fs::path> found;
-        std::istringstream parts(name);
-        for (std::string part; std::getline(parts, part, '-');)
-            if (fs::is_directory(folderOf(part))) found.push_back(folderOf(part));
-        return found;
-    }
 
     std::vector<std::string> names() const
     {
@@ -62,9 +44,9 @@ public:
     {}
 
     /// The variant itself, or those that its name puts together.
-    std::vector<Variant> parts(const std::string& name) const
+    std::vector<std::string> parts(const std::string& name) const
     {
-        std::vector<Variant> parts;
+        std::vector<std::string> parts;
         for (std::size_t begin = 0; begin < name.size();)
         {
             // the longest part that is known, so that names may hold '-' themselves
@@ -79,12 +61,27 @@ public:
                                     fmt::format("there is no variant \"{}\". {}", sought, suggestion(sought, "variants", names())));
                 }
             }
-            const auto part = name.substr(begin, end - begin);
-            parts.push_back(
-                {folders(part), entries_.isDictionary(part) ? readOverrides(entries_.subDict(part), folder_) : std::vector<Override>()});
+            parts.push_back(name.substr(begin, end - begin));
             begin = end + 1;
         }
         return parts;
+    }
+
+    /// The folder of that name, or else those of the words between its '-'.
+    std::vector<fs::path> folders(const std::string& name) const
+    {
+        if (fs::is_directory(folderOf(name))) return {folderOf(name)};
+        std::vector<fs::path> found;
+        std::istringstream words(name);
+        for (std::string word; std::getline(words, word, '-');)
+            if (fs::is_directory(folderOf(word))) found.push_back(folderOf(word));
+        return found;
+    }
+
+    /// What the dictionary asks for of the files of a copy.
+    std::vector<Override> overrides(const std::string& name, const fs::path& copy) const
+    {
+        return entries_.isDictionary(name) ? readOverrides(entries_.subDict(name), copy) : std::vector<Override>();
     }
 };
 
@@ -96,15 +93,17 @@ fs::path cloneCase(const fs::path& caseFolder, const std::string& name)
 {
     if (!isPlainName(name)) throw CaseError(fmt::format("variant \"{}\" needs a name of letters, digits and _-+.", name));
     const Case c(caseFolder);
-    const auto parts = Variants(c).parts(name);
+    const Variants variants(c);
+    const auto parts = variants.parts(name);
     c.diagnostics().throwIfAny();
-    const auto copy = fs::path("run") / name;
+    const auto path = fs::path("run") / name, copy = caseFolder / path;
     std::vector<fs::path> folders;
-    for (const auto& part : parts) folders.insert(folders.end(), part.folders.begin(), part.folders.end());
-    renewInputs(caseFolder, folders, caseFolder / copy);
-    for (const auto& part : parts) apply(part.overrides, caseFolder / copy, c.diagnostics());
+    for (const auto& part : parts)
+        for (const auto& folder : variants.folders(part)) folders.push_back(folder);
+    renewInputs(caseFolder, folders, copy);
+    for (const auto& part : parts) apply(variants.overrides(part, copy), copy, c.diagnostics());
     c.diagnostics().throwIfAny();
-    return copy;
+    return path;
 }
 
 }

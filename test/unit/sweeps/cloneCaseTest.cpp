@@ -18,7 +18,7 @@ const Files files{{"system/controlDict", "endTime 1;\nfunctions { errors { type 
                   {"system/variantsDict", "fine { \"system/sphSchemes\" { resolution { spacing #eval \"0.1/2\"; } } }\n"
                                           "open { \"constant/geometry\" { walls { ~left; } } }\n"
                                           "long { $fine; \"system/controlDict\" { endTime 9; } }\n"
-                                          "oil-open { \"system/controlDict\" { endTime 3; } }\n"
+                                          "oil-open { \"system/controlDict\" { endTime 3; } \"constant/phaseProperties\" { rho 1; } }\n"
                                           "as-it-is { }\n"}};
 
 template<class T> T entryOf(const TestCase& c, const std::string& run, const std::string& file, const std::vector<std::string>& keys)
@@ -75,7 +75,8 @@ TEST(CloneCase, PutsVariantsTogether)
     EXPECT_EQ(spacing(c, "oil-fine"), 0.05);
     EXPECT_EQ(entryOf<double>(c, "oil-fine", "system/sphSchemes", {"resolution", "support"}), 2);
     EXPECT_EQ(c.read("run/oil-fine/constant/phaseProperties"), "phases (oil);\n");
-    cloneCase(c.folder(), "oil-open");
+    cloneCase(c.folder(), "oil-open"); // of whose files one comes with the folder
+    EXPECT_EQ(c.read("run/oil-open/constant/phaseProperties"), "phases (oil);\nrho             1;\n");
     EXPECT_EQ(endTime(c, "oil-open"), 3);
     EXPECT_EQ(spacing(c, "oil-open"), 0.3);
     EXPECT_EQ(c.read("run/oil-open/constant/geometry"), c.read("constant/geometry"));
@@ -130,7 +131,7 @@ TEST(CloneCase, RefusesWhatIsWrong)
     };
     EXPECT_EQ(
         message("\"system/sphScheme\" { spacing 1; }"),
-        "system/variantsDict:1: the case has no file \"system/sphScheme\". Did you mean \"system/sphSchemes\"? Known files: constant/geometry, constant/walls, system/controlDict, system/sphSchemes, system/variantsDict.");
+        "system/variantsDict:1: the case has no file \"system/sphScheme\". Did you mean \"system/sphSchemes\"? Known files: constant/geometry, system/controlDict, system/sphSchemes, system/variantsDict.");
     EXPECT_EQ(
         message("\"constant/geometry\" { walls { ~top; } }"),
         "system/variantsDict:1: \"walls.top\" of constant/geometry cannot be removed: constant/geometry:1: there is no entry \"walls.top\". Known entries: left, right.");
