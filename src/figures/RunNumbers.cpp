@@ -222,7 +222,7 @@ std::optional<double> RunNumbers::ofTheLog(const std::string& name)
     return told_[name] = factOf(*lines, *fact);
 }
 
-/// What logs tell, of what the number asks for: a row each.
+/// A table of what the number asks for, with a row for each log that tells it.
 RunTable RunNumbers::toldByLogs(const NumberPlan& plan)
 {
     std::vector<Fact> asked;

@@ -84,7 +84,7 @@ void copyFiles(const fs::path& from, const fs::path& to, const fs::path& part)
     }
 }
 
-/// What a run begins with.
+/// Copies the folders that a run begins with.
 void copyParts(const fs::path& from, const fs::path& to, const fs::path& start)
 {
     try

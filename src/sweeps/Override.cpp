@@ -71,7 +71,7 @@ void apply(const Override& o, const fs::path& caseFolder)
 {
     if (o.value.empty()) return removeEntry(caseFolder, o.file, o.entry());
     const auto way = wayTo(o, caseFolder);
-    // On top of what an include brings: { a { b value; } } behind it merges.
+    // The block { a { b value; } } behind an include merges with what that brings.
     if (!way.own)
     {
         auto value = o.value;

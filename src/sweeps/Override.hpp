@@ -18,7 +18,7 @@ struct Override
     std::string entry() const;
 };
 
-/// What a dictionary asks for of any number of files of the case; every mistake goes to its Diagnostics.
+/// Reads which entries a dictionary asks for, of any number of files of the case; every mistake goes to its Diagnostics.
 std::vector<Override> readOverrides(const Dictionary&, const std::filesystem::path& baseCase);
 
 /// Gives the entries their values, in order; comments, macros and includes stay, so that entries made of others by macros follow.

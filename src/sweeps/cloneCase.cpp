@@ -78,7 +78,7 @@ public:
         return found;
     }
 
-    /// What the dictionary asks for of the files of a copy.
+    /// Reads the entries that a variant changes in the files of a copy.
     std::vector<Override> overrides(const std::string& name, const fs::path& copy) const
     {
         return entries_.isDictionary(name) ? readOverrides(entries_.subDict(name), copy) : std::vector<Override>();

@@ -93,14 +93,14 @@ public:
 double findFactor(const fs::path& caseFolder, const Options& o)
 {
     if (!(o.low > 0 && o.high > o.low)) throw sph::CaseError(fmt::format("factors {} and {} are to be positive and grow", o.low, o.high));
-    const StrengthReduction soil(caseFolder, o);
+    const StrengthReduction reduction(caseFolder, o);
     double low = o.low, high = o.high;
-    if (soil.fails(low)) throw sph::CaseError(fmt::format("the soil fails by the factor {} already: give a smaller one", low));
-    if (!soil.fails(high)) throw sph::CaseError(fmt::format("the soil stands by the factor {} still: give a larger one", high));
+    if (reduction.fails(low)) throw sph::CaseError(fmt::format("the soil fails by the factor {} already: give a smaller one", low));
+    if (!reduction.fails(high)) throw sph::CaseError(fmt::format("the soil stands by the factor {} still: give a larger one", high));
     while (high - low > o.tolerance * 1.000001)
     {
         const double factor = 0.5 * (low + high);
-        (soil.fails(factor) ? high : low) = factor;
+        (reduction.fails(factor) ? high : low) = factor;
     }
     return 0.5 * (low + high);
 }
