@@ -14,5 +14,5 @@ set format y '10^{%L}'
 set yrange [1e-8:1e-3]
 set key outside right
 plot 1e-6 with lines dt 2 lc rgb 'black' title 'floor', \
-    for [s in "turnedBox rockBed rockBed-20 block cube wedge angularRock"] of(s) using (column('Time')/sqrt(2*H/g)):(column('kineticEnergy')/column('mass')/(g*H)) with lines lw 1.5 title s, \
-    for [s in "mergedBlock mergedCube mergedWedge mergedAngularRock"] of(s) using (column('Time')/sqrt(2*H/g)):(column('kineticEnergy')/column('mass')/(g*H)) with lines dt 3 lw 1.5 title s
+    for [s in "turnedBox rockBed rockBed-20 block cube wedge angularRock"] of(s) using (column('Time')/sqrt(2*H/g)):(column('kineticEnergy')/column('mass_water')/(g*H)) with lines lw 1.5 title s, \
+    for [s in "mergedBlock mergedCube mergedWedge mergedAngularRock"] of(s) using (column('Time')/sqrt(2*H/g)):(column('kineticEnergy')/column('mass_water')/(g*H)) with lines dt 3 lw 1.5 title s

@@ -8,4 +8,4 @@ set datafile columnheaders
 set xlabel 't [s]'
 set ylabel 'kinetic energy [J/kg]'
 set key outside right
-plot for [k in "angular rounded elongated flat concave"] dat('run/'.k.'/postProcessing/conservation/0/conservation.dat') using (column('Time')):(column('kineticEnergy')/column('mass')) with lines lw 1.5 title k
+plot for [k in "angular rounded elongated flat concave"] dat('run/'.k.'/postProcessing/conservation/0/conservation.dat') using (column('Time')):(column('kineticEnergy')/column('mass_water')) with lines lw 1.5 title k
