@@ -1,13 +1,12 @@
 # Stresses over depth at 2.6 s, means of rows: gnuplot sandColumn.gp
 set terminal pngcairo size 1000,430 font ',10'
 set output 'sandColumn.png'
-# The surface: half a spacing above the highest particle, column `top` of function object `column`
 # a table of a function object with its columns by name
 dat(file) = "< sed -n '/^# Time/,$ { s/^# //; y/\\t/,/; p }' ".file
 set datafile separator ','
 set datafile columnheaders
-stats dat('run/roughFine/postProcessing/column/0/reduction.dat') using (column('top')) nooutput
-top = STATS_max
+# The surface: half a spacing above the highest particle, column `top` of function object `column`
+stats dat('run/roughFine/postProcessing/column/0/reduction.dat') using (top = column('top')) nooutput      # the last row's stays
 unset datafile
 set multiplot layout 1,2
 set grid

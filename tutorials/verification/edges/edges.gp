@@ -2,6 +2,7 @@
 set terminal pngcairo size 700,430 font ',10'
 set output 'edges.png'
 set datafile separator ','
+set datafile missing NaN
 wedge(figure) = strcol(1)[1:5] eq 'wedge' && strcol(2) eq figure ? real(strcol(1)[6:]) : NaN
 set xlabel 'angle of the fluid [degrees]'
 set ylabel 'error of the density at rest [%]'

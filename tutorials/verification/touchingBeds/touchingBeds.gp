@@ -4,6 +4,7 @@ set output 'touchingBeds.png'
 # spacings a sphere of a row of results, of this gap
 across(gap) = strstrt(strcol(2), 'Van der Hoef') && strstrt(strcol(1).'|', ' gap '.gap.'|') ? real(word(strcol(1), 1)) : NaN
 set datafile separator ','
+set datafile missing NaN
 set xlabel 'spacings a sphere'
 set ylabel 'K too low by [%]'
 set logscale xy
