@@ -122,6 +122,22 @@ void checkEdited(const Dictionary& edited, const std::string& path, const std::s
         throw CaseError(header->where, "the header FoamFile is a dictionary");
 }
 
+/// A file that is to be edited: what it says, and its characters. Throws CaseError where it has mistakes.
+struct EditedFile
+{
+    Dictionary dictionary;
+    std::string text;
+};
+
+EditedFile readToEdit(const std::filesystem::path& caseFolder, const std::string& file)
+{
+    const auto diagnostics = std::make_shared<Diagnostics>();
+    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
+    diagnostics->throwIfAny();
+    std::string reason;
+    return {dictionary, readText(caseFolder / file, reason).value()};
+}
+
 /// The text of what is to be edited belongs to it alone.
 void checkOwn(const Path& entries, const std::string& file, const std::string& path)
 {
@@ -170,11 +186,7 @@ std::vector<std::string> keywords(const Dictionary& dictionary, const std::strin
 
 void setEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path, const std::string& value)
 {
-    const auto diagnostics = std::make_shared<Diagnostics>();
-    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
-    diagnostics->throwIfAny();
-    std::string reason;
-    auto text = readText(caseFolder / file, reason).value();
+    auto [dictionary, text] = readToEdit(caseFolder, file);
 
     const auto name = withoutLeadingColon(path);
     std::size_t begin = 0; // of the value
@@ -210,11 +222,7 @@ void setEntry(const std::filesystem::path& caseFolder, const std::string& file, 
 
 void appendEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& keyword, const std::string& value)
 {
-    const auto diagnostics = std::make_shared<Diagnostics>();
-    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
-    diagnostics->throwIfAny();
-    std::string reason;
-    auto text = readText(caseFolder / file, reason).value();
+    auto [dictionary, text] = readToEdit(caseFolder, file);
     text.insert(placeOfNewEntry(text, dictionary.node()),
                 fmt::format("{}{:<15} {}{}\n", text.ends_with('\n') ? "" : "\n", keyword, value, isBlock(value) ? "" : ";"));
     readAs(text, caseFolder, file, std::make_shared<Diagnostics>()).diagnostics().throwIfAny();
@@ -223,15 +231,11 @@ void appendEntry(const std::filesystem::path& caseFolder, const std::string& fil
 
 void removeEntry(const std::filesystem::path& caseFolder, const std::string& file, const std::string& path)
 {
-    const auto diagnostics = std::make_shared<Diagnostics>();
-    const auto dictionary = Dictionary::read(caseFolder, file, diagnostics);
-    diagnostics->throwIfAny();
+    auto [dictionary, text] = readToEdit(caseFolder, file);
     require(dictionary, path);
     const auto found = walk(dictionary.node(), withoutLeadingColon(path), false);
     if (found.empty()) throw CaseError({file, 0}, fmt::format("\"{}\" is given by a pattern, which stays", path));
     checkOwn(found, file, path);
-    std::string reason;
-    auto text = readText(caseFolder / file, reason).value();
     const auto& e = *found.back();
     auto begin = text.rfind(e.keyword, e.begin - 1);
     if (e.pattern) --begin; // its quote
