@@ -41,7 +41,7 @@ function(sph_application)
     get_filename_component(name ${CMAKE_CURRENT_SOURCE_DIR} NAME)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(${name} ${sources})
-    target_link_libraries(${name} PRIVATE ${app_DEPENDS} CLI11::CLI11 instructionSet version)
+    target_link_libraries(${name} PRIVATE ${app_DEPENDS} instructionSet version)
     if(app_LOADS_LIBRARIES)
         sph_rooms_below(sampling rooms COMPILED)
         # The archives stand among the libraries as well, in the order that the linker needs; by then nothing is left to be taken from them.

@@ -71,6 +71,75 @@ std::string withSingleDashes(std::string message)
 
 }
 
+CommandLine::Option CommandLine::Option::required()
+{
+    option_->required();
+    return *this;
+}
+
+CommandLine::Option CommandLine::Option::positive()
+{
+    option_->check(CLI::PositiveNumber);
+    return *this;
+}
+
+CommandLine::Option CommandLine::Option::within(int least, int most)
+{
+    option_->check(CLI::Range(least, most));
+    return *this;
+}
+
+CommandLine::Option CommandLine::Option::commaSeparated()
+{
+    option_->delimiter(',');
+    return *this;
+}
+
+CommandLine::Option CommandLine::Option::valueOptional()
+{
+    option_->expected(0, 1);
+    return *this;
+}
+
+CommandLine::Option CommandLine::Option::needs(Option other)
+{
+    option_->needs(other.option_);
+    return *this;
+}
+
+CommandLine::Option CommandLine::Option::excludes(Option other)
+{
+    option_->excludes(other.option_);
+    return *this;
+}
+
+bool CommandLine::Option::given() const { return option_->count() > 0; }
+
+CommandLine::Option CommandLine::flag(const std::string& name, bool& value, const std::string& meaning)
+{
+    return Option(app_.add_flag("--" + name, value, meaning));
+}
+
+template<class Value>
+CommandLine::Option CommandLine::option(const std::string& name, Value& value, const std::string& type, const std::string& meaning)
+{
+    return Option(app_.add_option("--" + name, value, meaning)->type_name("<" + type + ">"));
+}
+
+template<class Value> CommandLine::Option CommandLine::argument(const std::string& name, Value& value, const std::string& meaning)
+{
+    return Option(app_.add_option(name, value, meaning));
+}
+
+template CommandLine::Option CommandLine::option(const std::string&, std::string&, const std::string&, const std::string&);
+template CommandLine::Option CommandLine::option(const std::string&, double&, const std::string&, const std::string&);
+template CommandLine::Option CommandLine::option(const std::string&, int&, const std::string&, const std::string&);
+template CommandLine::Option CommandLine::option(const std::string&, std::optional<double>&, const std::string&, const std::string&);
+template CommandLine::Option CommandLine::option(const std::string&, std::vector<std::string>&, const std::string&, const std::string&);
+template CommandLine::Option CommandLine::argument(const std::string&, std::string&, const std::string&);
+template CommandLine::Option CommandLine::argument(const std::string&, double&, const std::string&);
+template CommandLine::Option CommandLine::argument(const std::string&, std::vector<std::string>&, const std::string&);
+
 std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
 {
     std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
@@ -84,7 +153,8 @@ std::vector<std::string> openFoamArguments(int argc, const char* const* argv)
 }
 
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path&)>& body, Banner head)
+                   const std::function<void(CommandLine&)>& options, const std::function<int(const std::filesystem::path&)>& body,
+                   Banner head)
 {
     const auto fail = [&](const std::string& what, const std::string& hint = "")
     {
@@ -106,7 +176,8 @@ int runApplication(const std::string& name, int argc, const char* const* argv, c
         app.set_version_flag("--version", fmt::format("{} {}", name, version().text()), "Print the version");
         app.add_option("--case", caseFolder, "Case folder, instead of the current one")->type_name("<dir>");
         app.allow_extras();
-        options(app);
+        CommandLine line(app);
+        options(line);
 
         auto arguments = openFoamArguments(argc, argv);
         std::reverse(arguments.begin(), arguments.end());

@@ -7,28 +7,65 @@
 ///         bool dryRun = false;
 ///         std::string dict = "system/packDict";
 ///         return sph::runApplication("packParticles", argc, argv, "Fills regions with particles.",
-///             [&](CLI::App& app)
+///             [&](sph::CommandLine& line)
 ///             {
-///                 app.add_flag("--dry-run", dryRun, "Print the plan and stop");
-///                 app.add_option("--dict", dict, "Dictionary to read")->type_name("<file>");
+///                 line.flag("dry-run", dryRun, "Print the plan and stop");
+///                 line.option("dict", dict, "file", "Dictionary to read");
 ///             },
 ///             [&](const std::filesystem::path& caseFolder) { return pack(caseFolder, dict, dryRun); });
 ///     }
 ///
-/// Options are declared to CLI11 with two dashes and typed, and shown, with one (two are accepted as well).
+/// CLI11 reads them. Its header is in CommandLine.cpp alone: it takes three seconds of each compilation, and options two dashes.
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CLI
 {
 class App;
+class Option;
 }
 
 namespace sph
 {
+
+/// What an application declares of its command line. Values and the names of options outlive it: they are written while the line is read.
+class CommandLine
+{
+    CLI::App& app_;
+
+public:
+    /// An option or argument as declared, and what it goes with.
+    class Option
+    {
+        CLI::Option* option_ = nullptr;
+
+    public:
+        Option() = default;
+        explicit Option(CLI::Option* option) : option_(option) {}
+
+        Option required();
+        Option positive();
+        Option within(int least, int most);
+        Option commaSeparated();
+        Option valueOptional();        ///< the option may stand alone
+        Option needs(Option other);    ///< both are given, or this one is not
+        Option excludes(Option other); ///< one of them is given at most
+        bool given() const;            ///< once the line has been read
+    };
+
+    explicit CommandLine(CLI::App& app) : app_(app) {}
+
+    /// `-name`.
+    Option flag(const std::string& name, bool& value, const std::string& meaning);
+    /// `-name <type>`; Value: std::string, double, int, std::optional<double>, std::vector<std::string>. What the line does not give stays.
+    template<class Value> Option option(const std::string& name, Value& value, const std::string& type, const std::string& meaning);
+    /// The next one of what stands without a dash; Value: std::string, double, and std::vector<std::string> for all that is left.
+    template<class Value> Option argument(const std::string& name, Value& value, const std::string& meaning);
+};
 
 /// The arguments after the program's name, in the order typed, with `-name` turned into the `--name` that CLI11 understands.
 /// Left alone: `-n` (one letter), negative numbers (`-.5` becomes `-0.5`, which CLI11 takes for a number), and all that follows
@@ -48,7 +85,7 @@ enum class Banner
 /// exception are written to stderr, as "--> FATAL ERROR" and the message, and give exit code 1. This is the one place that
 /// catches them.
 int runApplication(const std::string& name, int argc, const char* const* argv, const std::string& description,
-                   const std::function<void(CLI::App&)>& options, const std::function<int(const std::filesystem::path& caseFolder)>& body,
-                   Banner = Banner::shown);
+                   const std::function<void(CommandLine&)>& options,
+                   const std::function<int(const std::filesystem::path& caseFolder)>& body, Banner = Banner::shown);
 
 }

@@ -12,7 +12,7 @@ namespace sph
 namespace
 {
 using Places = std::span<const Vector<3>>;
-using Members = std::span<std::size_t>;
+using Part = std::span<std::size_t>;
 
 struct Box
 {
@@ -21,7 +21,7 @@ struct Box
 
 std::array<double, 3> coordinatesOf(const Vector<3>& x) { return {x.x, x.y, x.z}; }
 
-Box boxOf(Places places, Members members)
+Box boxOf(Places places, Part members)
 {
     auto low = coordinatesOf(places[members[0]]), high = low;
     for (const auto i : members)
@@ -34,7 +34,7 @@ Box boxOf(Places places, Members members)
     return {low, {high[0] - low[0], high[1] - low[1], high[2] - low[2]}};
 }
 
-Vector<3> longestSide(int dimension, Places places, Members members)
+Vector<3> longestSide(int dimension, Places places, Part members)
 {
     const auto size = boxOf(places, members).size;
     const auto longest = std::max_element(size.begin(), size.begin() + dimension) - size.begin();
@@ -42,7 +42,7 @@ Vector<3> longestSide(int dimension, Places places, Members members)
 }
 
 /// The eigenvector of the largest eigenvalue of sum_i (x_i - x_m)(x_i - x_m)^T.
-Vector<3> longestAxis(int dimension, Places places, Members members)
+Vector<3> longestAxis(int dimension, Places places, Part members)
 {
     Vector<3> mean;
     for (const auto i : members) mean += places[i];
@@ -75,7 +75,7 @@ template<class AxisOf> class Bisection
         if (to - from < 2) return;
         const auto first = [&](std::size_t part) { return firstOf(part, order_.size(), parts_); };
         const std::size_t middle = from + (to - from) / 2;
-        const Members members(order_.data() + first(from), order_.data() + first(to));
+        const Part members(order_.data() + first(from), order_.data() + first(to));
         if (members.empty()) return;
         const auto axis = axisOf_(members);
         // Particles of a lattice lie in planes: those of the plane that is cut go by their other coordinates, and the parts stay compact.
@@ -125,7 +125,7 @@ std::vector<std::size_t> ordered(Division division, int dimension, Places places
 {
     if (division == Division::hilbert) return alongCurve(dimension, places);
     const auto axis = division == Division::rib ? longestAxis : longestSide;
-    return Bisection(places, parts, [&](Members members) { return axis(dimension, places, members); }).take();
+    return Bisection(places, parts, [&](Part members) { return axis(dimension, places, members); }).take();
 }
 }
 

@@ -17,12 +17,13 @@ const Choice type{"type",
                    {"flux", "liquid comes in through a part of a plane that is open to gas"}},
                   required,
                   "of the opening"};
-const VectorParameter point{"point", units::m, required, "a point of the plane"},
-    min{"min", units::m, byScene("endless"), "the plane is open within this box alone; what leaves up to a spacing beside it leaves by it"},
-    max{"max", units::m, byScene("endless"), "highest corner of that box"};
+const VectorParameter openPoint{"point", units::m, required, "a point of the plane"},
+    openMin{"min", units::m, byScene("endless"),
+            "the plane is open within this box alone; what leaves up to a spacing beside it leaves by it"},
+    openMax{"max", units::m, byScene("endless"), "highest corner of that box"};
 const ListOf<Vector<3>> points{"points", units::m, required, "of the plane, each an opening: <opening>1, <opening>2 ..."};
-const Direction normal{"normal", required, "into the scene"};
-const Scalar radius{"radius", units::m, required, positive, "of what falls from each point; in 2-D half of its width"};
+const Direction openNormal{"normal", required, "into the scene"};
+const Scalar openRadius{"radius", units::m, required, positive, "of what falls from each point; in 2-D half of its width"};
 }
 
 bool OpenPlane::opensAt(const Vector<3>& x, int dimension, double beside) const
@@ -50,13 +51,13 @@ namespace
 {
 void readExtent(const Dictionary& d, int dimension, double spacing, OpenPlane& plane)
 {
-    plane.point = entry::point(d);
-    plane.extent.low = entry::min(d, plane.extent.low);
-    plane.extent.high = entry::max(d, plane.extent.high);
+    plane.point = entry::openPoint(d);
+    plane.extent.low = entry::openMin(d, plane.extent.low);
+    plane.extent.high = entry::openMax(d, plane.extent.high);
     for (int k = 0; k < dimension; ++k)
         if (const auto a = component(k); plane.extent.high.*a < plane.extent.low.*a)
-            entry::max.error(d, fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k],
-                                            plane.extent.high.*a, plane.extent.low.*a));
+            entry::openMax.error(d, fmt::format("max must not be less than min; in {} it is {} against {}", coordinateNames[k],
+                                                plane.extent.high.*a, plane.extent.low.*a));
     const auto roundOff = 1e-6 * spacing * Vector<3>{1, 1, 1};
     plane.extent.low -= roundOff;
     plane.extent.high += roundOff;
@@ -82,11 +83,11 @@ std::vector<OpenPlane> readOpenPlanes(const Dictionary& d, const Geometry& geome
     plane.where = d.location();
     plane.inlet = *known != "outlet";
     plane.isPart = *known == "drip" || *known == "flux";
-    plane.normal = entry::normal(d);
-    entry::normal.checkPlane(d, plane.normal, geometry.dimension);
+    plane.normal = entry::openNormal(d);
+    entry::openNormal.checkPlane(d, plane.normal, geometry.dimension);
     for (int k = 0; k < geometry.dimension; ++k)
         if (geometry.periodic[k] && plane.normal.*component(k) != 0)
-            entry::normal.error(
+            entry::openNormal.error(
                 d, fmt::format("the domain is periodic in {}: what leaves it there comes in again, and no plane across is an opening",
                                coordinateNames[k]));
     if (*known != "drip")
@@ -94,7 +95,7 @@ std::vector<OpenPlane> readOpenPlanes(const Dictionary& d, const Geometry& geome
         readExtent(d, geometry.dimension, spacing, plane);
         return {plane};
     }
-    plane.radius = entry::radius(d);
+    plane.radius = entry::openRadius(d);
     std::vector<OpenPlane> drips;
     for (const auto& point : entry::points(d))
     {
@@ -109,12 +110,12 @@ std::vector<OpenPlane> readOpenPlanes(const Dictionary& d, const Geometry& geome
 EntryList openPlaneEntries(const EntriesBeside& beside)
 {
     using namespace entry;
-    const EntryList ofPlane{point, min, max};
+    const EntryList ofPlane{openPoint, openMin, openMax};
     const Cases byType{{"inlet", ofPlane + beside.ofInlet},
                        {"outlet", ofPlane + beside.ofOutlet},
-                       {"drip", EntryList{points, radius} + beside.ofDrip},
+                       {"drip", EntryList{points, openRadius} + beside.ofDrip},
                        {"flux", ofPlane + beside.ofFlux}};
-    return {{opening, {{type, byType}, normal}}};
+    return {{opening, {{type, byType}, openNormal}}};
 }
 
 }

@@ -11,7 +11,7 @@ namespace
 {
 
 /// A finer grid costs memory and gains little.
-constexpr double mostCells = 1 << 19;
+constexpr double mostPatchCells = 1 << 19;
 
 }
 
@@ -28,7 +28,7 @@ PatchGrid::PatchGrid(const Geometry& geometry, double reach) : all_(geometry.pat
         extent.*c = geometry.length(k) + 2 * reach;
         volume *= extent.*c;
     }
-    const double edge = std::max(reach, std::pow(volume / mostCells, 1.0 / dim));
+    const double edge = std::max(reach, std::pow(volume / mostPatchCells, 1.0 / dim));
     double halfDiagonal = 0;
     for (int k = 0; k < dim; ++k)
     {

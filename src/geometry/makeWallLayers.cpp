@@ -12,10 +12,10 @@ namespace sph
 
 namespace entry
 {
-const Choice walls{"walls",
-                   {{"reflected", "fluid mirrored at the wall"}, {"layers", "layers of particles in the solid"}},
-                   "reflected",
-                   "how walls act on the fluid"};
+const Choice wallKind{"walls",
+                      {{"reflected", "fluid mirrored at the wall"}, {"layers", "layers of particles in the solid"}},
+                      "reflected",
+                      "how walls act on the fluid"};
 }
 
 namespace
@@ -271,8 +271,8 @@ public:
 };
 }
 
-bool wallsAreLayers(const Dictionary& sphSchemes) { return entry::walls(sphSchemes) == "layers"; }
-EntryList wallLayersEntries() { return {entry::walls}; }
+bool wallsAreLayers(const Dictionary& sphSchemes) { return entry::wallKind(sphSchemes) == "layers"; }
+EntryList wallLayersEntries() { return {entry::wallKind}; }
 
 std::vector<LayerParticle> makeWallLayers(const Geometry& g, double H, double spacing, Diagnostics& diagnostics)
 {

@@ -15,7 +15,7 @@ namespace sph
 
 namespace entry
 {
-extern const Choice walls;
+extern const Choice wallKind;
 }
 
 /// The word `walls` of system/sphSchemes: `reflected` (default) or `layers`.

@@ -22,8 +22,8 @@ namespace entry
 const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the surface on which the fluid is"};
 const VectorParameter point{"point", units::m, required, "a point of the plane or of the axis"},
     centre{"centre", units::m, required, "of the shape"}, apex{"apex", units::m, required, "tip of the cone"},
-    semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"}, min{"min", units::m, required, "lowest corner"},
-    max{"max", units::m, required, "highest corner"},
+    semiAxes{"semiAxes", units::m, required, "along x, y and z, each > 0"}, boxMin{"min", units::m, required, "lowest corner"},
+    boxMax{"max", units::m, required, "highest corner"},
     latticeOrigin{"origin", units::m, byScene("the lowest corner of the domain"), "where a cell of the lattice begins"};
 const Direction normal{"normal", required, "into the fluid"},
     axis{"axis", required, "along the axis; of a cylinder in 2-D (0 0 1), which is its default there"};
@@ -128,12 +128,12 @@ Shapes ellipsoid(const Dictionary& wall, const Geometry& g)
 
 Shapes box(const Dictionary& wall, const Geometry& g)
 {
-    auto low = entry::min(wall), high = entry::max(wall);
-    const bool given = entry::min.given(wall) && entry::max.given(wall);
+    auto low = entry::boxMin(wall), high = entry::boxMax(wall);
+    const bool given = entry::boxMin.given(wall) && entry::boxMax.given(wall);
     for (int k = 0; k < g.dimension && given; ++k)
         if (!(high.*component(k) > low.*component(k)))
-            entry::max.error(wall, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
-                                               high.*component(k), low.*component(k)));
+            entry::boxMax.error(wall, fmt::format("max must be greater than min; in {} it is {} against {}", coordinateNames[k],
+                                                  high.*component(k), low.*component(k)));
     // Along these the box does not end: z in 2-D, and periodic directions through which it passes.
     std::array<bool, 3> endless{false, false, g.dimension == 2};
     for (int k = 0; k < g.dimension; ++k)
@@ -154,7 +154,7 @@ Shapes box(const Dictionary& wall, const Geometry& g)
             shapes.push_back(std::make_shared<Plane>(low, normal));
             shapes.push_back(std::make_shared<Plane>(high, -normal));
         }
-        if (shapes.empty()) entry::max.error(wall, "the box lies outside the domain in every direction: there is no wall");
+        if (shapes.empty()) entry::boxMax.error(wall, "the box lies outside the domain in every direction: there is no wall");
         return shapes;
     }
     for (int k = 0; k < 3; ++k)
@@ -163,7 +163,7 @@ Shapes box(const Dictionary& wall, const Geometry& g)
             low.*component(k) = -Box::infinity;
             high.*component(k) = Box::infinity;
         }
-    if (endless[0] && endless[1] && endless[2]) entry::max.error(wall, "the box fills the domain: there is no fluid");
+    if (endless[0] && endless[1] && endless[2]) entry::boxMax.error(wall, "the box fills the domain: there is no fluid");
     return {std::make_shared<SolidBox>(low, high)};
 }
 
@@ -324,7 +324,7 @@ const std::vector<ShapeType>& catalogue()
         {{"plane", ""}, plane, {point, entry::normal}},
         {{"box", "with the fluid inside: planes, but none across a periodic direction that it spans"},
          box,
-         {entry::min, entry::max, fluid}},
+         {entry::boxMin, entry::boxMax, fluid}},
         {{"sphere", "in 2-D a circle"}, sphere, {centre, radius, fluid}},
         {{"cylinder", "without ends"}, cylinder, {point, axis, radius, fluid}},
         {{"cone", "one nappe, without end; in 3-D"}, cone, {apex, axis, halfAngle, fluid}},

@@ -28,27 +28,15 @@ bool overlaps(const Box& a, const Box& b, double slack)
                        [&](auto c) { return a.low.*c <= b.high.*c + slack && b.low.*c <= a.high.*c + slack; });
 }
 
-struct Ball
-{
-    Vector<3> centre;
-    double R;
-};
-
-Ball ballOf(const Shape& shape)
-{
-    const auto b = shape.bounds();
-    auto centre = 0.5 * (b.low + b.high);
-    if (!std::isfinite(centre.z)) centre.z = 0;
-    return {centre, 0.5 * (b.high.x - b.low.x)};
-}
-
 /// Whether a body touches or overlaps another solid. Balls have to overlap it; `points` are of the body's surface otherwise.
 bool meets(const Shape& body, const Shape& other, const std::vector<Vector<3>>& points, bool isBall, double tolerance)
 {
     if (isBall)
     {
-        const auto ball = ballOf(body);
-        return other.foot(ball.centre).distance < ball.R - tolerance;
+        const auto b = body.bounds();
+        auto centre = 0.5 * (b.low + b.high);
+        if (!std::isfinite(centre.z)) centre.z = 0;
+        return other.foot(centre).distance < 0.5 * (b.high.x - b.low.x) - tolerance;
     }
     return std::any_of(points.begin(), points.end(), [&](const auto& x) { return other.foot(x).distance <= tolerance; });
 }

@@ -7,14 +7,18 @@ namespace sph
 
 namespace entry
 {
-const FileName file{"file", "constant/triSurface", required,
-                    "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb; with `volume` voxels: .mhd, .mha, or raw"};
-const Choice fluid{"fluid", {"inside", "outside"}, required, "side of the outermost surfaces on which the fluid is; nested ones alternate"};
-const Scalar scale{"scale", units::none, 1.0, positive, "of the file's lengths to m: 1e-3 for mm"};
+const FileName surfaceFile{
+    "file", "constant/triSurface", required,
+    "in constant/triSurface: .stl, .stlb, .obj, .ply, .off, .gltf or .glb; with `volume` voxels: .mhd, .mha, or raw"};
+const Choice surfaceFluid{"fluid",
+                          {"inside", "outside"},
+                          required,
+                          "side of the outermost surfaces on which the fluid is; nested ones alternate"};
+const Scalar surfaceScale{"scale", units::none, 1.0, positive, "of the file's lengths to m: 1e-3 for mm"};
 const SubDictionary rotation{"rotation", notGiven, "about the origin of the file's coordinates, after scaling"};
-const Direction axis{"axis", required, "of the rotation"};
+const Direction surfaceAxis{"axis", required, "of the rotation"};
 const Scalar angle{"angle", degrees, required, "counter-clockwise as seen against the axis"};
-const VectorParameter translation{"translation", units::m, Vector<3>{}, "after the rotation"};
+const VectorParameter surfaceTranslation{"translation", units::m, Vector<3>{}, "after the rotation"};
 const Scalar weld{"weld", units::m, byScene("1e-6 of the diagonal of the mesh"), nonNegative, "points nearer to each other become one"},
     closeHoles{"closeHoles", units::m, notGiven, positive, "holes no wider than this are closed; an open mesh is an error otherwise"},
     tolerance{"tolerance", units::m, required, positive, "of the wrap: it lies outside the mesh by half of this"},
@@ -114,18 +118,18 @@ TriSurface readTriSurface(const Dictionary& wall)
 {
     TriSurface t;
     t.wall = wall.keyword();
-    t.file = entry::file(wall);
-    t.at = entry::file.where(wall);
-    t.scaleAt = entry::scale.where(wall);
-    t.fluid = entry::fluid(wall) == "inside" ? FluidSide::inside : FluidSide::outside;
-    t.scale = entry::scale(wall);
+    t.file = entry::surfaceFile(wall);
+    t.at = entry::surfaceFile.where(wall);
+    t.scaleAt = entry::surfaceScale.where(wall);
+    t.fluid = entry::surfaceFluid(wall) == "inside" ? FluidSide::inside : FluidSide::outside;
+    t.scale = entry::surfaceScale(wall);
     if (entry::rotation.given(wall))
     {
         const auto rotation = entry::rotation(wall);
-        t.axis = entry::axis(rotation);
+        t.axis = entry::surfaceAxis(rotation);
         t.angle = entry::angle(rotation);
     }
-    t.translation = entry::translation(wall);
+    t.translation = entry::surfaceTranslation(wall);
     t.weld = entry::weld.ifGiven(wall);
     t.closeHoles = entry::closeHoles.ifGiven(wall);
     t.removeSelfIntersections = entry::removeSelfIntersections(wall);
@@ -141,7 +145,7 @@ TriSurface readTriSurface(const Dictionary& wall)
     }
     if (entry::volume.given(wall)) t.volume = readVolume(entry::volume(wall), t.file);
     else if (isMetaImage(t.file) || t.file.ends_with(".raw"))
-        entry::file.error(
+        entry::surfaceFile.error(
             wall, fmt::format("{} is a volume of voxels: add what of it is solid, `volume {{ label 1; }}` or `volume {{ threshold 100; }}`",
                               t.file));
     t.edgeLength = entry::edgeLength.ifGiven(wall);

@@ -12,7 +12,7 @@ namespace sph
 
 namespace
 {
-template<int dim> void stages(Schedule<dim>& schedule)
+template<int dim> void leapfrogStages(Schedule<dim>& schedule)
 {
     schedule.join(JoinPoint::beforeDrift)
         .drift()
@@ -35,8 +35,8 @@ const Integrator& leapfrogIntegrator()
     static const Integrator integrator{"leapfrog",
                                        "second order, one evaluation a step",
                                        {.predicts = true, .keepsRates = true, .viscousFactor = 0.5},
-                                       stages<2>,
-                                       stages<3>};
+                                       leapfrogStages<2>,
+                                       leapfrogStages<3>};
     return integrator;
 }
 

@@ -11,7 +11,7 @@ namespace sph
 
 namespace
 {
-template<int dim> void stages(Schedule<dim>& schedule)
+template<int dim> void predictorCorrectorStages(Schedule<dim>& schedule)
 {
     schedule.evaluate()
         .join(JoinPoint::beforeDrift)
@@ -32,8 +32,11 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& predictorCorrectorIntegrator()
 {
-    static const Integrator integrator{
-        "predictorCorrector", "second order, two evaluations a step", {.predicts = true}, stages<2>, stages<3>};
+    static const Integrator integrator{"predictorCorrector",
+                                       "second order, two evaluations a step",
+                                       {.predicts = true},
+                                       predictorCorrectorStages<2>,
+                                       predictorCorrectorStages<3>};
     return integrator;
 }
 

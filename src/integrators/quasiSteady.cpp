@@ -12,7 +12,7 @@ namespace sph
 
 namespace
 {
-template<int dim> void stages(Schedule<dim>& schedule)
+template<int dim> void quasiSteadyStages(Schedule<dim>& schedule)
 {
     schedule.join(JoinPoint::afterKick)
         .then({"kick what is carried", "q += dt dq/dt", [](Particles<dim>& p, const Substep& s) { kickCarried(p, s.deltaT); }})
@@ -29,8 +29,8 @@ const Integrator& quasiSteadyIntegrator()
     static const Integrator integrator{"quasiSteady",
                                        "creeping flow of particles at rest that changes as what it carries does",
                                        {.solves = true, .moves = false},
-                                       stages<2>,
-                                       stages<3>};
+                                       quasiSteadyStages<2>,
+                                       quasiSteadyStages<3>};
     return integrator;
 }
 

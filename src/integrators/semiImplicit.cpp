@@ -10,7 +10,7 @@ namespace sph
 
 namespace
 {
-template<int dim> void stages(Schedule<dim>& schedule)
+template<int dim> void semiImplicitStages(Schedule<dim>& schedule)
 {
     schedule.join(JoinPoint::beforeDrift)
         .drift()
@@ -28,8 +28,11 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& semiImplicitIntegrator()
 {
-    static const Integrator integrator{
-        "semiImplicit", "viscosity at the end of the step, solved for: no viscous limit", {.solves = true}, stages<2>, stages<3>};
+    static const Integrator integrator{"semiImplicit",
+                                       "viscosity at the end of the step, solved for: no viscous limit",
+                                       {.solves = true},
+                                       semiImplicitStages<2>,
+                                       semiImplicitStages<3>};
     return integrator;
 }
 

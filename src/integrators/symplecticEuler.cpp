@@ -10,7 +10,7 @@ namespace sph
 
 namespace
 {
-template<int dim> void stages(Schedule<dim>& schedule)
+template<int dim> void symplecticEulerStages(Schedule<dim>& schedule)
 {
     schedule.join(JoinPoint::beforeDrift)
         .drift()
@@ -29,8 +29,11 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& symplecticEulerIntegrator()
 {
-    static const Integrator integrator{
-        "symplecticEuler", "first order in what depends on velocity, one evaluation a step, no memory", {}, stages<2>, stages<3>};
+    static const Integrator integrator{"symplecticEuler",
+                                       "first order in what depends on velocity, one evaluation a step, no memory",
+                                       {},
+                                       symplecticEulerStages<2>,
+                                       symplecticEulerStages<3>};
     return integrator;
 }
 

@@ -42,7 +42,7 @@ public:
     void save(Numbers& numbers) const override { levels_.save(numbers); }
 };
 
-template<int dim> void stages(Schedule<dim>& schedule)
+template<int dim> void verletStages(Schedule<dim>& schedule)
 {
     schedule.evaluate()
         .join(JoinPoint::beforeDrift)
@@ -73,8 +73,8 @@ const Integrator& verletIntegrator()
     static const Integrator integrator{"verlet",
                                        "from two levels of the past, one evaluation a step, re-coupled each verletSteps",
                                        {.twoLevels = true},
-                                       stages<2>,
-                                       stages<3>};
+                                       verletStages<2>,
+                                       verletStages<3>};
     return integrator;
 }
 

@@ -37,7 +37,7 @@ constexpr double shareSupport = 1.5;
 /// Time between two lines of progress [s].
 constexpr double reportInterval = 5;
 
-std::string text(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
+std::string shortText(const Vector<3>& x) { return fmt::format("({:.6g} {:.6g} {:.6g})", x.x, x.y, x.z); }
 
 /// Means in place of extrapolations.
 PointWeights withoutNegative(PointWeights weights)
@@ -220,7 +220,7 @@ void Mapper::refuseUncovered(const std::vector<char>& isFarOff) const
         "{} does not cover {} of the {} particles of {}: at {} none of its particles is in sight within {:.4g} m, the nearest of all "
         "{:.4g} m away. Its fluid lies elsewhere, or its geometry is another; where it has a free surface, all of the fluid's space is to be "
         "packed, fill ( {{ region all; phase {}; }} );, and mapParticles leaves places empty",
-        settings_.sourceName, count, n_, settings_.targetName, text(places_[at].x), shareSupport * source_.spacing, farthest,
+        settings_.sourceName, count, n_, settings_.targetName, shortText(places_[at].x), shareSupport * source_.spacing, farthest,
         target_.phases.front()));
 }
 

@@ -8,23 +8,24 @@ namespace sph
 
 namespace entry
 {
-const VectorParameter value{"value", units::mPerS, required, "velocity"},
+const VectorParameter velocityValue{"value", units::mPerS, required, "velocity"},
     omega{"omega", units::none / units::s, required, "rate of rotation"},
     origin{"origin", units::m, Vector<3>{}, "point that coordinates count from"};
 const Scalar U{"U", units::mPerS, required, "largest velocity"}, L{"L", units::m, required, positive, "period of the vortices"},
     height{"height", units::m, required, positive, "from origin to the other plate"};
-const Direction direction{"direction", Vector<3>{1, 0, 0}, "along the flow"}, normal{"normal", Vector<3>{0, 1, 0}, "across the flow"};
+const Direction direction{"direction", Vector<3>{1, 0, 0}, "along the flow"},
+    velocityNormal{"normal", Vector<3>{0, 1, 0}, "across the flow"};
 const Text expression{"U", required, "velocity [m/s], \"vector(sin(2*pi()*$x), 0, 0)\"; $x, $y, $z are the position [m]"};
 
 /// The types of velocity, with what each needs.
 static const Cases& velocities()
 {
-    static const Cases all{{"uniform", {value}},
+    static const Cases all{{"uniform", {velocityValue}},
                            {{"taylorGreen", "u = U sin(kx) cos(ky), v = -U cos(kx) sin(ky), k = 2 pi/L"}, {U, L}},
                            {{"rotation", "omega x (x - origin)"}, {omega, origin}},
-                           {{"couette", "from 0 at the origin to U at the height"}, {U, height, direction, normal, origin}},
+                           {{"couette", "from 0 at the origin to U at the height"}, {U, height, direction, velocityNormal, origin}},
                            {{"poiseuille", "4 U s (1 - s), s the height above the origin in heights"},
-                            {U, height, direction, normal, origin}},
+                            {U, height, direction, velocityNormal, origin}},
                            {"expression", {expression}}};
     return all;
 }
@@ -41,7 +42,7 @@ namespace
 VelocityField sheared(const Dictionary& dict, double (*profile)(double s))
 {
     const double U = entry::U(dict), height = entry::height(dict);
-    const auto direction = entry::direction(dict), normal = entry::normal(dict), origin = entry::origin(dict);
+    const auto direction = entry::direction(dict), normal = entry::velocityNormal(dict), origin = entry::origin(dict);
     return [=](const Vector<3>& x) { return U * profile(dot(x - origin, normal) / height) * direction; };
 }
 
@@ -87,7 +88,7 @@ VelocityField readVelocity(const Dictionary& dict)
     if (type == "couette") return sheared(dict, [](double s) { return s; });
     if (type == "poiseuille") return sheared(dict, [](double s) { return 4 * s * (1 - s); });
     if (type == "expression") return byExpression(dict);
-    const auto value = entry::value(dict);
+    const auto value = entry::velocityValue(dict);
     return [=](const Vector<3>&) { return value; };
 }
 

@@ -10,10 +10,10 @@ namespace sph
 namespace entry
 {
 const VectorParameter centre{"centre", units::m, required, "of the region"}, min{"min", units::m, required, "lowest corner"},
-    max{"max", units::m, required, "highest corner"}, point{"point", units::m, required, "a point of the plane"};
+    max{"max", units::m, required, "highest corner"}, regionPoint{"point", units::m, required, "a point of the plane"};
 const Scalar radius{"radius", units::m, required, positive, "of the region"},
     length{"length", units::m, byScene("endless"), positive, "half of it to either side of the centre"};
-const Direction axis{"axis", required, "along the axis"}, normal{"normal", required, "to the side that is meant"};
+const Direction axis{"axis", required, "along the axis"}, regionNormal{"normal", required, "to the side that is meant"};
 const DictionaryList of{"of", required, "regions, each with its own entries"};
 
 /// The types of regions, with what each needs.
@@ -23,7 +23,7 @@ static const Cases& regions()
                            {"none", {}},
                            {{"sphere", "with its periodic copies; in 2-D a circle"}, {centre, radius}},
                            {{"box", "min <= x < max: boxes side by side share no particle; z does not count in 2-D"}, {min, max}},
-                           {{"halfSpace", "what lies on one side of a plane"}, {point, normal}},
+                           {{"halfSpace", "what lies on one side of a plane"}, {regionPoint, regionNormal}},
                            {"cylinder", {centre, axis, radius, length}},
                            {"union", {of}},
                            {"intersection", {of}},
@@ -113,7 +113,7 @@ Region cylinder(const Dictionary& dict)
 
 Region halfSpace(const Dictionary& dict)
 {
-    const auto point = entry::point(dict), normal = entry::normal(dict);
+    const auto point = entry::regionPoint(dict), normal = entry::regionNormal(dict);
     Box within;
     for (const auto c : coordinates)
     {

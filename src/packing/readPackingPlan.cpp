@@ -14,12 +14,12 @@ const DictionaryList fill{"fill", byScene("all of the first phase"),
                           "regions and what is in them; the last that contains a particle decides"};
 const Word fillPhase{"phase", required, "phase in the region, or none"};
 const Scalar p{"p", units::pressure, byScene("that of pressure"), "pressure in the region, above the background pressure"};
-const VectorParameter U{"U", units::mPerS, byScene("that of velocity"), "velocity in the region"};
+const VectorParameter packedVelocity{"U", units::mPerS, byScene("that of velocity"), "velocity in the region"};
 const Word lattice{"lattice", byScene("cubic"), "cubic; hexagonal in 2-D, fcc and bcc in 3-D"};
 const Scalar jitter{"jitter", Unit{units::none, "spacings"}, 0,
                     between(0, 0.5).saying("a jitter of {:g} spacings is none of 0 to 0.5: beyond, neighbours change places"),
                     "largest displacement of each component"};
-const Count seed{"seed", 1, anyNumber, "of the jitter"};
+const Count latticeSeed{"seed", 1, anyNumber, "of the jitter"};
 const Switch allowEmpty{"allowEmpty", false, "a phase may have no particles"};
 const SubDictionary relax{"relax", byScene("no relaxation"), "move particles until their number density is even"},
     saturation{"saturation", notGiven, "give a share of the void space to one phase"},
@@ -62,7 +62,7 @@ std::vector<FillRule> readFill(const Dictionary& dict, std::vector<std::string> 
                                     phaseNames[0] + "; } );");
     for (const auto& d : given)
     {
-        FillRule rule{readRegion(d, g), FillRule::noPhase, entry::U.ifGiven(d), entry::p.ifGiven(d)};
+        FillRule rule{readRegion(d, g), FillRule::noPhase, entry::packedVelocity.ifGiven(d), entry::p.ifGiven(d)};
         const auto phase = std::find(phaseNames.begin(), phaseNames.end(), entry::fillPhase.among(d, phaseNames)) - phaseNames.begin();
         if (phase < long(phaseNames.size()) - 1) rule.phase = int(phase);
         rules.push_back(std::move(rule));
@@ -76,9 +76,9 @@ LatticeSpec readLattice(const Dictionary& dict, int dimension, double spacing)
     lattice.type = entry::lattice.among(dict, latticeNames(dimension), latticeNames(dimension).front());
     lattice.spacing = spacing;
     lattice.jitter = entry::jitter(dict);
-    lattice.seed = std::uint64_t(entry::seed(dict));
-    if (entry::seed.given(dict) && !(lattice.jitter > 0))
-        entry::seed.error(dict, "seed does nothing without jitter: leave it out, or give the jitter");
+    lattice.seed = std::uint64_t(entry::latticeSeed(dict));
+    if (entry::latticeSeed.given(dict) && !(lattice.jitter > 0))
+        entry::latticeSeed.error(dict, "seed does nothing without jitter: leave it out, or give the jitter");
     return lattice;
 }
 
@@ -101,9 +101,9 @@ EntryList packingEntries()
 {
     return {entry::lattice,
             entry::jitter,
-            entry::seed,
+            entry::latticeSeed,
             entry::allowEmpty,
-            {entry::fill, regionEntries() + EntryList{entry::fillPhase, entry::U, entry::p}},
+            {entry::fill, regionEntries() + EntryList{entry::fillPhase, entry::packedVelocity, entry::p}},
             {entry::saturation, saturationEntries()},
             {entry::velocity, velocityEntries()},
             entry::pressure,

@@ -17,8 +17,8 @@ const FileName file{"file", "", required, "table, relative to the case; its firs
 const SubDictionary columns{"columns", required, "names of the columns"}, units{"units", byScene("1 each"), "SI value of 1 in each column"},
     select{"select", byScene("all rows"), "only the rows that have these words or numbers"};
 const Word coordinate{"coordinate", required, "column of the coordinate"},
-    time{"time", byScene("none: a steady reference"), "column of the time"}, timeAlone{"time", required, "column of the time"},
-    value{"value", required, "column of the value"};
+    csvTime{"time", byScene("none: a steady reference"), "column of the time"}, timeAlone{"time", required, "column of the time"},
+    csvValue{"value", required, "column of the value"};
 const Scalar coordinateUnit{"coordinate", Unit{sph::units::none, "SI"}, 1, "of the coordinate"},
     timeUnit{"time", Unit{sph::units::none, "SI"}, 1, "of the time"}, valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
 const FreeName column{"<column>", "word or number", "what the column must hold"};
@@ -65,11 +65,11 @@ EntryList CsvReference::entries(Over over)
     const EntryList rest{{entry::select, {entry::column}}, entry::interpolation};
     if (over == Over::time)
         return EntryList{entry::file,
-                         {entry::columns, {entry::timeAlone, entry::value}},
+                         {entry::columns, {entry::timeAlone, entry::csvValue}},
                          {entry::units, {entry::timeUnit, entry::valueUnit}}} +
                rest;
     return EntryList{entry::file,
-                     {entry::columns, {entry::coordinate, entry::time, entry::value}},
+                     {entry::columns, {entry::coordinate, entry::csvTime, entry::csvValue}},
                      {entry::units, {entry::coordinateUnit, entry::timeUnit, entry::valueUnit}},
                      entry::axis,
                      entry::origin,
@@ -83,8 +83,8 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     const auto columns = entry::columns(d);
     const bool inSpace = over_ == Over::space;
     const Word& coordinateWord = inSpace ? entry::coordinate : entry::timeAlone;
-    const auto coordinateName = coordinateWord(columns), valueName = entry::value(columns);
-    const auto timeName = inSpace ? entry::time(columns, "") : "";
+    const auto coordinateName = coordinateWord(columns), valueName = entry::csvValue(columns);
+    const auto timeName = inSpace ? entry::csvTime(columns, "") : "";
     steady_ = timeName.empty();
     if (inSpace)
         axis_ = entry::axis(d, coordinateName == "x"   ? Vector<3>{1, 0, 0}
@@ -114,8 +114,8 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
             asked.error(key, fmt::format("{} has no column \"{}\". {}", fileName, name, suggestion(name, "columns", header)));
         return std::size_t(found - header.begin());
     };
-    const auto c = column(columns, coordinateWord.keyword(), coordinateName), v = column(columns, entry::value.keyword(), valueName);
-    const auto t = steady_ ? 0 : column(columns, entry::time.keyword(), timeName);
+    const auto c = column(columns, coordinateWord.keyword(), coordinateName), v = column(columns, entry::csvValue.keyword(), valueName);
+    const auto t = steady_ ? 0 : column(columns, entry::csvTime.keyword(), timeName);
     std::map<std::size_t, std::string> filter;
     for (const auto& [key, word] : wanted) filter[column(select, key, key)] = word;
     if (std::max({c, v, t}) >= header.size() || filter.contains(header.size())) return;

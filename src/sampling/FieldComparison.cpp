@@ -34,8 +34,8 @@ const Scalar scale{"scale", Unit{units::none, "of the field"}, byScene("the same
                    "what relative errors are divided by"};
 const Switch removeMean{"removeMean", false, "compare up to a constant, as for a pressure without a level"};
 const Word phaseAlone{"phase", byScene("all"), "compare its particles alone"};
-const SubDictionary region{"region", byScene("everywhere"), "compare points within this box alone"};
-const VectorParameter min{"min", units::m, required, "lowest corner"}, max{"max", units::m, required, "highest corner"};
+const SubDictionary comparedRegion{"region", byScene("everywhere"), "compare points within this box alone"};
+const VectorParameter comparedMin{"min", units::m, required, "lowest corner"}, comparedMax{"max", units::m, required, "highest corner"};
 }
 
 bool readsRelative(const Dictionary& d) { return entry::norm(d) == "relative"; }
@@ -45,7 +45,7 @@ std::string readComponent(const Dictionary& d) { return entry::component.ifGiven
 EntryList FieldComparison::entries()
 {
     return {entry::field,     entry::component, entry::norm,       entry::scale,
-            entry::points,    entry::meanFrom,  entry::phaseAlone, {entry::region, {entry::min, entry::max}},
+            entry::points,    entry::meanFrom,  entry::phaseAlone, {entry::comparedRegion, {entry::comparedMin, entry::comparedMax}},
             entry::cellMeans, entry::removeMean};
 }
 
@@ -62,10 +62,10 @@ FieldComparison::FieldComparison(const Dictionary& d, const FunctionContext& con
     if (const auto axis = entry::cellMeans.ifGiven(d))
         cell_ = {*axis == "x" ? 1.0 : 0.0, *axis == "y" ? 1.0 : 0.0, *axis == "z" ? 1.0 : 0.0};
     if (entry::phaseAlone.given(d)) phase_ = readPhase(d, entry::phaseAlone, context.phases);
-    if (entry::region.given(d))
+    if (entry::comparedRegion.given(d))
     {
-        const auto region = entry::region(d);
-        region_ = Box{entry::min(region), entry::max(region)};
+        const auto region = entry::comparedRegion(d);
+        region_ = Box{entry::comparedMin(region), entry::comparedMax(region)};
     }
     meanFrom_ = entry::meanFrom.ifGiven(d);
     if (entry::points(d) == "particles")

@@ -7,20 +7,20 @@ namespace sph
 
 namespace
 {
-std::vector<Formula>& catalogue()
+std::vector<Formula>& registered()
 {
     static std::vector<Formula> all;
     return all;
 }
 }
 
-AddedFormula::AddedFormula(const Formula& formula) { catalogue().push_back(formula); }
-const std::vector<Formula>& allFormulas() { return catalogue(); }
+AddedFormula::AddedFormula(const Formula& formula) { registered().push_back(formula); }
+const std::vector<Formula>& allFormulas() { return registered(); }
 
 Cases formulas()
 {
     Cases all;
-    for (const auto& f : catalogue())
+    for (const auto& f : registered())
         if (!all.empty() && all.back().first.word == f.name) all.back().first.meaning += " and " + f.field;
         else all.push_back({{f.name, "gives " + f.field}, f.entries()});
     return all;
@@ -29,7 +29,7 @@ Cases formulas()
 ExactField readFormula(const std::string& name, const Dictionary& dictionary, const std::string& field)
 {
     std::vector<std::string> fields;
-    for (const auto& f : catalogue())
+    for (const auto& f : registered())
     {
         if (f.name != name) continue;
         if (f.field == field)

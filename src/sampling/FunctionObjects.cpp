@@ -23,7 +23,7 @@ namespace sph
 namespace
 {
 
-std::vector<FunctionType>& catalogue()
+std::vector<FunctionType>& knownTypes()
 {
     static std::vector<FunctionType> types{
         functionType<Probes>("probes", "fields and expressions at points"),
@@ -44,7 +44,7 @@ std::vector<FunctionType>& catalogue()
 Cases types()
 {
     Cases all;
-    for (const auto& t : catalogue()) all.push_back({t.name, t.entries()});
+    for (const auto& t : knownTypes()) all.push_back({t.name, t.entries()});
     return all;
 }
 }
@@ -62,16 +62,16 @@ const Scalar time{"executeInterval", units::s, required, positive, "time between
 const Count times{"executeInterval", 1, atLeast(1), "write times or steps between two samples"};
 const FreeName function{"<function>", "dictionary", "a function object; its name is that of the folder below postProcessing"};
 
-static Choice type() { return {"type", wordsOf(types()), required, "what it measures"}; }
+static Choice functionType() { return {"type", wordsOf(types()), required, "what it measures"}; }
 }
 
-const std::vector<FunctionType>& functionTypes() { return catalogue(); }
-AddedFunction::AddedFunction(const FunctionType& type) { catalogue().push_back(type); }
+const std::vector<FunctionType>& functionTypes() { return knownTypes(); }
+AddedFunction::AddedFunction(const FunctionType& type) { knownTypes().push_back(type); }
 
 std::vector<TableInfo> functionTables()
 {
     std::vector<TableInfo> tables;
-    for (const auto& t : catalogue()) tables.push_back(t.table());
+    for (const auto& t : knownTypes()) tables.push_back(t.table());
     return tables;
 }
 
@@ -81,7 +81,7 @@ EntryList functionEntries()
              {{entry::control,
                {{"writeTime", {entry::times}}, {"timeStep", {entry::times}}, {"runTime", {entry::time}}, {"onEnd", {entry::times}}}},
               entry::libs,
-              {entry::type(), types()}}}};
+              {entry::functionType(), types()}}}};
 }
 
 namespace
@@ -151,7 +151,7 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
     if (!functions.isDictionary(name)) return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
     const auto d = functions.subDict(name);
     loadLibraries(d);
-    const auto type = entry::type().known(d);
+    const auto type = entry::functionType().known(d);
     if (!type) return;
     Entry entry;
     entry.name = name;
@@ -159,7 +159,7 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
     const bool byTime = entry.control == Control::runTime;
     entry.interval = byTime ? entry::time(d) : entry::times(d);
     entry.next = byTime ? nextMultiple(entry.interval, now) : 0;
-    for (const auto& t : catalogue())
+    for (const auto& t : knownTypes())
         if (t.name.word == *type)
         {
             entry.object = t.make(d, {name, geometry, phases, output});

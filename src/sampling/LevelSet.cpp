@@ -61,13 +61,13 @@ double Lattice::diagonal() const
 namespace
 {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double notCrossed = std::numeric_limits<double>::quiet_NaN();
 
 /// A corner of a simplex.
 struct Corner
 {
     Vector<3> x;
-    double inside = nan; ///< found where it is needed
+    double inside = notCrossed; ///< found where it is needed
     std::size_t node = 0;
     unsigned code = 0; ///< of the node in its cell
 };
@@ -196,7 +196,7 @@ LevelSet levelSet(const Lattice& lattice, const std::vector<double>& atNodes, do
             from + crossingOf([&](double share) { return f(from + share * way) - level; }, atNodes[a] - level, atNodes[b] - level) * way;
     }
 
-    std::vector<double> insideOf(atNodes.size(), nan);
+    std::vector<double> insideOf(atNodes.size(), notCrossed);
     std::vector<char> isAsked(atNodes.size());
     for (std::size_t c = 0; c < first.size(); ++c)
         if (isCut[c] > 0)

@@ -6,33 +6,33 @@ namespace sph
 
 namespace
 {
-std::vector<MeasureType>& catalogue()
+std::vector<MeasureType>& measureTypes()
 {
     static std::vector<MeasureType> all;
     return all;
 }
 }
 
-AddedMeasure::AddedMeasure(const MeasureType& type) { catalogue().push_back(type); }
+AddedMeasure::AddedMeasure(const MeasureType& type) { measureTypes().push_back(type); }
 
 Cases measures()
 {
     Cases all;
-    for (const auto& m : catalogue()) all.push_back({m.name, m.entries()});
+    for (const auto& m : measureTypes()) all.push_back({m.name, m.entries()});
     return all;
 }
 
 std::vector<std::string> measureNames()
 {
     std::vector<std::string> names;
-    for (const auto& m : catalogue()) names.push_back(m.name);
+    for (const auto& m : measureTypes()) names.push_back(m.name);
     return names;
 }
 
 Measure readMeasure(const std::string& name, const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases,
                     const std::filesystem::path& caseFolder)
 {
-    for (const auto& m : catalogue())
+    for (const auto& m : measureTypes())
         if (m.name == name) return m.read(d, geometry, phases, caseFolder);
     return {};
 }

@@ -10,7 +10,7 @@ namespace sph
 namespace
 {
 
-Eigen::Map<const Eigen::VectorXd> column(std::span<const double> a) { return {a.data(), Eigen::Index(a.size())}; }
+Eigen::Map<const Eigen::VectorXd> asVector(std::span<const double> a) { return {a.data(), Eigen::Index(a.size())}; }
 
 }
 
@@ -28,7 +28,7 @@ std::optional<std::complex<double>> fitOscillation(std::span<const double> t, st
             const auto wave = std::exp(s * (t[std::size_t(k)] - t.front()));
             waves.row(k) << wave.real(), wave.imag(), 1;
         }
-        const Eigen::VectorXd amplitudes = waves.colPivHouseholderQr().solve(column(a));
+        const Eigen::VectorXd amplitudes = waves.colPivHouseholderQr().solve(asVector(a));
         all.leftCols(3) = waves;
         for (Eigen::Index k = 0; k < n; ++k)
         {
@@ -36,7 +36,7 @@ std::optional<std::complex<double>> fitOscillation(std::span<const double> t, st
             all(k, 3) = since * (amplitudes(0) * waves(k, 0) + amplitudes(1) * waves(k, 1));
             all(k, 4) = since * (amplitudes(1) * waves(k, 0) - amplitudes(0) * waves(k, 1));
         }
-        const Eigen::VectorXd step = all.colPivHouseholderQr().solve(column(a) - waves * amplitudes);
+        const Eigen::VectorXd step = all.colPivHouseholderQr().solve(asVector(a) - waves * amplitudes);
         const std::complex<double> change(step(3), step(4));
         // No leap to another root.
         s += change * std::min(1.0, 0.3 * std::abs(s) / (std::abs(change) + 1e-300));
@@ -55,8 +55,8 @@ std::optional<double> fitGrowth(std::span<const double> t, std::span<const doubl
         Eigen::MatrixXd waves(n, 2);
         for (Eigen::Index k = 0; k < n; ++k)
             waves.row(k) << std::exp(s * (t[std::size_t(k)] - t.back())), std::exp(-s * (t[std::size_t(k)] - t.front()));
-        const Eigen::VectorXd amplitudes = waves.colPivHouseholderQr().solve(column(a));
-        return (column(a) - waves * amplitudes).squaredNorm();
+        const Eigen::VectorXd amplitudes = waves.colPivHouseholderQr().solve(asVector(a));
+        return (asVector(a) - waves * amplitudes).squaredNorm();
     };
     // Golden section.
     constexpr double golden = std::numbers::phi - 1;

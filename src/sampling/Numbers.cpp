@@ -36,7 +36,7 @@ const Text numberValue{"value", required, "expression of fields, position, time,
     weight{"weight", byScene("\"$volume\""), "expression of the weight w"},
     where{"where", notGiven, "expression: particles count where it is not 0"};
 const Scalar percent{"percent", Unit{units::none, "%"}, required, between(0, 100), "share of the weight"},
-    level{"level", Unit{units::none, "of the value"}, required, "level that is reached, from below or from above"},
+    numberLevel{"level", Unit{units::none, "of the value"}, required, "level that is reached, from below or from above"},
     within{"within", Unit{units::none, "spacings"}, 1, positive, "of `wall`: particles count that are nearer to it"};
 const Word phaseOfNumber{"phase", byScene("all"), "its particles count alone"},
     wallOfNumber{"wall", notGiven, "particles count that are beside it"};
@@ -68,7 +68,7 @@ EntryList Numbers::entries(const EntryList& beside)
                              {"max", value + choice},
                              {"percentile", value + EntryList{entry::percent} + weighed},
                              {"timeMean", value + span},
-                             {"arrival", value + EntryList{entry::level} + span},
+                             {"arrival", value + EntryList{entry::numberLevel} + span},
                              {"fit", value + HistoryFit::entries() + span},
                              {"contour", EntryList{entry::figure()} + ContourShape::entries()}}}};
     return {{entry::numbers, {{entry::ownNumber, number + beside}}}};
@@ -107,7 +107,7 @@ Numbers::Numbers(const Dictionary& dict, const FunctionContext& context)
         if (number.isOverTime())
         {
             number.history = History(d);
-            if (operation == Operation::arrival) number.level = entry::level(d);
+            if (operation == Operation::arrival) number.level = entry::numberLevel(d);
             if (operation == Operation::fit) number.fit.emplace(d);
         }
         else if (operation != Operation::formula && operation != Operation::contour)

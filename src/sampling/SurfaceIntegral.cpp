@@ -23,7 +23,7 @@ namespace column
 {
 const Column area{"area", "m^2", "of the wall, without what lies in another solid; in 2-D a length [m]"},
     integral{"integral", "of the expression, m^2", "of f over the area"},
-    force{"force", "N", "-int f n dA, that of a pressure f on the wall; in 2-D [N/m]"},
+    forceOnSurface{"force", "N", "-int f n dA, that of a pressure f on the wall; in 2-D [N/m]"},
     torque{"torque", "N m", "-int (x - origin) x f n dA; in 2-D [N]"};
 const std::vector<Column> ofIntegral{area, integral, force, torque};
 }

@@ -67,7 +67,7 @@ double fluidVolume(const Tetrahedron& t)
 }
 
 /// The corners of a polygon's part where `value(corner)` > 0 (Sutherland and Hodgman).
-std::vector<Corner> clipped(const std::vector<Corner>& polygon, const auto& value)
+std::vector<Corner> clippedPolygon(const std::vector<Corner>& polygon, const auto& value)
 {
     std::vector<Corner> result;
     for (std::size_t c = 0; c < polygon.size(); ++c)
@@ -86,8 +86,8 @@ std::vector<Corner> clipped(const std::vector<Corner>& polygon, const auto& valu
 
 double fluidArea(const Corner& a, const Corner& b, const Corner& c)
 {
-    const auto inPhase = clipped({a, b, c}, [](const Corner& p) { return p.colour; });
-    const auto polygon = clipped(inPhase, [](const Corner& p) { return p.wall; });
+    const auto inPhase = clippedPolygon({a, b, c}, [](const Corner& p) { return p.colour; });
+    const auto polygon = clippedPolygon(inPhase, [](const Corner& p) { return p.wall; });
     double twice = 0;
     for (std::size_t k = 2; k < polygon.size(); ++k) twice += cross(polygon[k - 1].x - polygon[0].x, polygon[k].x - polygon[0].x).z;
     return std::fabs(twice) / 2;

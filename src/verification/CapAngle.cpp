@@ -24,8 +24,9 @@ const VectorParameter capOrigin{"origin", units::m, Vector<3>{}, "on the axis, a
 
 namespace
 {
+using std::numbers::pi;
 
-constexpr double pi = std::numbers::pi, degree = pi / 180;
+constexpr double degree = pi / 180;
 
 /// Volume of the cap of a ball of radius 1 as far as the polar angle x.
 double capOfUnitBall(double x) { return pi * (2 + std::cos(x)) * sqr(1 - std::cos(x)) / 3; }

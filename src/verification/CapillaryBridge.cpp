@@ -11,7 +11,7 @@ namespace sph
 
 namespace
 {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 }
 
 CapillaryBridge::CapillaryBridge(int dimension, double radius, double gap, double volume, double contactAngle)

@@ -24,7 +24,7 @@ const Word lattice{"lattice", notGiven, "sc, bcc or fcc; in 2-D square"};
 namespace
 {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Solid fraction and K of each lattice.
 const std::map<std::string, std::vector<std::pair<double, double>>>& references()

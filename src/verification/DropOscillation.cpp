@@ -15,18 +15,18 @@ namespace sph
 
 namespace entry
 {
-const Scalar radius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative,
-                    "of the drop at rest; needed with centre"};
+const Scalar dropRadius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative,
+                        "of the drop at rest; needed with centre"};
 const VectorParameter centre{"centre", units::m, byScene("that of the drop"), "of the drop at rest, where planes of symmetry cut it"};
 }
 
 namespace
 {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 }
 
 DropOscillation::DropOscillation(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), history_(d)
+    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::dropRadius(d, 0)), history_(d)
 {
     if (d.found("centre"))
     {
@@ -39,7 +39,7 @@ DropOscillation::DropOscillation(const Dictionary& d, const Geometry&, const std
         d.error("name", "a drop oscillates in a second phase, or alone where the gas is left out: the scene has more than two");
 }
 
-EntryList DropOscillation::entries() { return {entry::phase, entry::radius, entry::centre, entry::from, entry::to}; }
+EntryList DropOscillation::entries() { return {entry::phase, entry::dropRadius, entry::centre, entry::from, entry::to}; }
 
 DropOscillation::Rates DropOscillation::operator()(const ParticleView& view)
 {

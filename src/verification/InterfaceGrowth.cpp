@@ -17,17 +17,17 @@ namespace entry
 {
 const Count waves{"waves", 1, atLeast(1).saying("waves is a whole number, at least 1"), "waves over the domain's length in x"};
 const Scalar depth{"depth", units::m, required, positive, "of each layer"},
-    largest{"largest", Unit{units::none, "wavelengths"}, 0.05, positive, "amplitude up to which samples add to the fit"};
+    interfaceLargest{"largest", Unit{units::none, "wavelengths"}, 0.05, positive, "amplitude up to which samples add to the fit"};
 }
 
 InterfaceGrowth::InterfaceGrowth(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
-    : waves_(std::size_t(entry::waves(d))), depth_(entry::depth(d)), largest_(entry::largest(d)), history_(d)
+    : waves_(std::size_t(entry::waves(d))), depth_(entry::depth(d)), largest_(entry::interfaceLargest(d)), history_(d)
 {
     if (phases.size() != 2) d.error("name", "an interface lies between two phases");
     if (!geometry.periodic[0]) d.error("name", "waves are measured along x: the domain must be periodic in x");
 }
 
-EntryList InterfaceGrowth::entries() { return {entry::waves, entry::depth, entry::largest, entry::from, entry::to}; }
+EntryList InterfaceGrowth::entries() { return {entry::waves, entry::depth, entry::interfaceLargest, entry::from, entry::to}; }
 
 Measurement InterfaceGrowth::operator()(const ParticleView& view)
 {

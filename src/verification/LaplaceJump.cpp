@@ -12,15 +12,15 @@ namespace sph
 
 namespace entry
 {
-const Scalar radius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative, "of the drop"},
+const Scalar laplaceRadius{"radius", units::m, byScene("that of a drop of the phase's volume"), nonNegative, "of the drop"},
     sigma{"sigma", units::surfaceTension, byScene("that of the scene"), nonNegative, "surface tension"};
 }
 
 LaplaceJump::LaplaceJump(const Dictionary& d, const Geometry&, const std::vector<std::string>& phases)
-    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::radius(d, 0)), sigma_(entry::sigma(d, 0))
+    : phase_(readPhase(d, entry::phase, phases)), radius_(entry::laplaceRadius(d, 0)), sigma_(entry::sigma(d, 0))
 {}
 
-EntryList LaplaceJump::entries() { return {entry::phase, entry::radius, entry::sigma}; }
+EntryList LaplaceJump::entries() { return {entry::phase, entry::laplaceRadius, entry::sigma}; }
 
 Measurement LaplaceJump::operator()(const ParticleView& view) const
 {

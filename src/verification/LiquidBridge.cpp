@@ -15,11 +15,11 @@ namespace sph
 namespace entry
 {
 const ListOf<Vector<3>> centres{"centres", units::m, required, "centres of the two solids"};
-const Scalar radius{"radius", units::m, required, positive, "of the solids"},
-    contactAngle{"contactAngle", degrees, required,
-                 Range{.low = 0, .high = 180, .highIncluded = false}.saying(
-                     "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
-                 "of the solids"},
+const Scalar bridgeRadius{"radius", units::m, required, positive, "of the solids"},
+    bridgeContactAngle{"contactAngle", degrees, required,
+                       Range{.low = 0, .high = 180, .highIncluded = false}.saying(
+                           "a liquid forms a bridge where its contact angle lies between 0 and 180 degrees"),
+                       "of the solids"},
     bridgeParts{"parts", units::none, 1, positive, "bridges over what the scene has of one: 8 of an eighth between planes of symmetry"};
 }
 
@@ -51,8 +51,8 @@ double volumeOf(const ParticleView& view, std::size_t phase)
 
 LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const std::vector<std::string>& phases)
     : phase_(readPhase(d, entry::phase, phases)),
-      radius_(entry::radius(d)),
-      angle_(entry::contactAngle(d)),
+      radius_(entry::bridgeRadius(d)),
+      angle_(entry::bridgeContactAngle(d)),
       parts_(entry::bridgeParts(d)),
       where_(entry::centres.where(d))
 {
@@ -72,7 +72,10 @@ LiquidBridge::LiquidBridge(const Dictionary& d, const Geometry& geometry, const 
     middle_ = (centres[0] + centres[1]) / 2;
 }
 
-EntryList LiquidBridge::entries() { return {entry::phase, entry::centres, entry::radius, entry::contactAngle, entry::bridgeParts}; }
+EntryList LiquidBridge::entries()
+{
+    return {entry::phase, entry::centres, entry::bridgeRadius, entry::bridgeContactAngle, entry::bridgeParts};
+}
 
 CapillaryBridge LiquidBridge::atRest(const ParticleView& view) const
 {

@@ -22,7 +22,8 @@ const Scalar clear{"clear", units::none, 0.01, positiveBelow(1),
 
 namespace
 {
-constexpr double pi = std::numbers::pi, nan = std::numeric_limits<double>::quiet_NaN();
+using std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Evenly spread over the circle, or over the sphere by the golden angle.
 Vector<3> direction(int dimension, int k, int n)

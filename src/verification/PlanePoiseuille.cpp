@@ -12,7 +12,7 @@ const Scalar acceleration{"acceleration", units::mPerS2, required, "of the force
 
 namespace
 {
-constexpr double imagesBelow = 0.05; // nu t/L^2; both sums agree to round-off there with 5 images and 10 terms
+constexpr double imagesUntil = 0.05; // nu t/L^2; both sums agree to round-off there with 5 images and 10 terms
 
 /// Second repeated integral of the complementary error function (Abramowitz & Stegun 7.2.5).
 double i2erfc(double z) { return 0.25 * ((1 + 2 * z * z) * std::erfc(z) - 2 * z * std::exp(-z * z) * std::numbers::inv_sqrtpi); }
@@ -45,7 +45,7 @@ double PlanePoiseuille::speed(double y, double t) const
     if (t <= 0) return 0;
 
     const double tau = nu_ * t / (L_ * L_);
-    if (tau < imagesBelow)
+    if (tau < imagesUntil)
     {
         const double s = 2 * std::sqrt(nu_ * t);
         double sum = 0;

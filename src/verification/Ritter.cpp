@@ -8,23 +8,23 @@ namespace sph
 
 namespace entry
 {
-const Scalar depth{"depth", units::m, required, positive, "of the reservoir before the dam is gone"},
-    g{"g", units::mPerS2, 9.81, positive, "gravity"}, rho{"rho", units::density, 1000, positive, "density"};
+const Scalar damDepth{"depth", units::m, required, positive, "of the reservoir before the dam is gone"},
+    damG{"g", units::mPerS2, 9.81, positive, "gravity"}, rho{"rho", units::density, 1000, positive, "density"};
 const Direction up{"up", Vector<3>{0, 1, 0}, "against gravity"};
 }
 
 Ritter::Ritter(double depth, double g, double rho) : depth_(depth), g_(g), rho_(rho), direction_{1, 0, 0}, up_{0, 1, 0} {}
 
 Ritter::Ritter(const Dictionary& d)
-    : depth_(entry::depth(d)),
-      g_(entry::g(d)),
+    : depth_(entry::damDepth(d)),
+      g_(entry::damG(d)),
       rho_(entry::rho(d)),
       direction_(entry::direction(d)),
       up_(entry::up(d)),
       origin_(entry::origin(d))
 {}
 
-EntryList Ritter::entries() { return {entry::depth, entry::g, entry::rho, entry::direction, entry::up, entry::origin}; }
+EntryList Ritter::entries() { return {entry::damDepth, entry::damG, entry::rho, entry::direction, entry::up, entry::origin}; }
 
 double Ritter::depth(double x, double t) const
 {

@@ -8,17 +8,17 @@ namespace sph
 namespace entry
 {
 const Scalar side{"side", units::m, required, positive, "of the square"},
-    omega{"omega", units::none / units::s, required, "rate of rotation"}, rho{"rho", units::density, 1000, positive, "density"};
-const VectorParameter centre{"centre", units::m, Vector<3>{}, "of the square"};
+    omega{"omega", units::none / units::s, required, "rate of rotation"}, patchRho{"rho", units::density, 1000, positive, "density"};
+const VectorParameter patchCentre{"centre", units::m, Vector<3>{}, "of the square"};
 }
 
 RotatingSquarePatch::RotatingSquarePatch(double side, double omega, double rho) : side_(side), omega_(omega), rho_(rho) {}
 
 RotatingSquarePatch::RotatingSquarePatch(const Dictionary& d)
-    : side_(entry::side(d)), omega_(entry::omega(d)), rho_(entry::rho(d)), centre_(entry::centre(d))
+    : side_(entry::side(d)), omega_(entry::omega(d)), rho_(entry::patchRho(d)), centre_(entry::patchCentre(d))
 {}
 
-EntryList RotatingSquarePatch::entries() { return {entry::side, entry::omega, entry::rho, entry::centre}; }
+EntryList RotatingSquarePatch::entries() { return {entry::side, entry::omega, entry::patchRho, entry::patchCentre}; }
 
 double RotatingSquarePatch::pressure(const Vector<3>& x, double) const
 {

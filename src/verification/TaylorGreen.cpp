@@ -8,17 +8,18 @@ namespace sph
 namespace entry
 {
 const Scalar speed{"speed", units::mPerS, required, positive, "largest speed at the start"},
-    period{"period", units::m, required, positive, "of the vortices"},
-    viscosity{"nu", units::kinematicViscosity, 0, nonNegative, "kinematic viscosity"}, rho{"rho", units::density, 1, positive, "density"};
+    vortexPeriod{"period", units::m, required, positive, "of the vortices"},
+    viscosity{"nu", units::kinematicViscosity, 0, nonNegative, "kinematic viscosity"},
+    vortexRho{"rho", units::density, 1, positive, "density"};
 }
 
 TaylorGreen::TaylorGreen(double speed, double period, double nu, double rho) : U_(speed), L_(period), nu_(nu), rho_(rho) {}
 
 TaylorGreen::TaylorGreen(const Dictionary& d)
-    : U_(entry::speed(d)), L_(entry::period(d)), nu_(entry::viscosity(d)), rho_(entry::rho(d)), origin_(entry::origin(d))
+    : U_(entry::speed(d)), L_(entry::vortexPeriod(d)), nu_(entry::viscosity(d)), rho_(entry::vortexRho(d)), origin_(entry::origin(d))
 {}
 
-EntryList TaylorGreen::entries() { return {entry::speed, entry::period, entry::viscosity, entry::rho, entry::origin}; }
+EntryList TaylorGreen::entries() { return {entry::speed, entry::vortexPeriod, entry::viscosity, entry::vortexRho, entry::origin}; }
 
 Vector<3> TaylorGreen::velocity(const Vector<3>& x, double t) const
 {

@@ -7,10 +7,10 @@ namespace sph
 namespace entry
 {
 const ListOf<double> viscosities{"viscosities", units::viscosity, required, "viscosities of the two layers, that at the origin first"},
-    heights{"heights", units::m, required, "thicknesses of the two layers"},
-    densities{"densities", units::density, required, "densities of the two layers"};
-const Scalar pressureGradient{"pressureGradient", units::forcePerVolume, 0, "fall of the pressure along the flow"},
-    acceleration{"acceleration", units::mPerS2, 0, "of a body force on both layers"};
+    layerHeights{"heights", units::m, required, "thicknesses of the two layers"},
+    layerDensities{"densities", units::density, required, "densities of the two layers"};
+const Scalar layerPressureGradient{"pressureGradient", units::forcePerVolume, 0, "fall of the pressure along the flow"},
+    layerAcceleration{"acceleration", units::mPerS2, 0, "of a body force on both layers"};
 }
 
 namespace
@@ -26,8 +26,8 @@ std::vector<double> pairOf(const Dictionary& d, const ListOf<double>& two)
 
 TwoLayerPoiseuille fromDictionary(const Dictionary& d)
 {
-    const auto mu = pairOf(d, entry::viscosities), H = pairOf(d, entry::heights), rho = pairOf(d, entry::densities);
-    const double dp = entry::pressureGradient(d), f = entry::acceleration(d);
+    const auto mu = pairOf(d, entry::viscosities), H = pairOf(d, entry::layerHeights), rho = pairOf(d, entry::layerDensities);
+    const double dp = entry::layerPressureGradient(d), f = entry::layerAcceleration(d);
     return {mu[0], mu[1], H[0], H[1], dp + rho[0] * f, dp + rho[1] * f};
 }
 }
@@ -50,8 +50,8 @@ TwoLayerPoiseuille::TwoLayerPoiseuille(const Dictionary& d) : TwoLayerPoiseuille
 
 EntryList TwoLayerPoiseuille::entries()
 {
-    return {entry::viscosities,  entry::heights,   entry::densities, entry::pressureGradient,
-            entry::acceleration, entry::direction, entry::normal,    entry::origin};
+    return {entry::viscosities,       entry::layerHeights, entry::layerDensities, entry::layerPressureGradient,
+            entry::layerAcceleration, entry::direction,    entry::normal,         entry::origin};
 }
 
 double TwoLayerPoiseuille::speed(double y) const

@@ -2,7 +2,6 @@
 #include "case/CaseLock.hpp"
 #include "parallel/Ranks.hpp"
 #include "run/Run.hpp"
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <fstream>
 #include <iostream>
@@ -14,11 +13,11 @@ int main(int argc, char** argv)
     bool dryRun = false, parallel = false;
     const int code = sph::runApplication(
         "sphFoamLike", argc, argv, "Smoothed particle hydrodynamics of any number of fluid phases between walls.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            app.add_flag("--dry-run", dryRun,
-                         "Print the plan (passes, fields, memory, what was left out) and how long the run would take, and stop");
-            app.add_flag("--parallel", parallel, "Share the particles between the processes that mpirun has started");
+            line.flag("dry-run", dryRun,
+                      "Print the plan (passes, fields, memory, what was left out) and how long the run would take, and stop");
+            line.flag("parallel", parallel, "Share the particles between the processes that mpirun has started");
         },
         [&](const std::filesystem::path& caseFolder)
         {

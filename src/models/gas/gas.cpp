@@ -166,7 +166,7 @@ const Model& gasModel()
           "none completes the density of a liquid with a state equation, not a soil"},
          {"gas", [](const Settings& s) { return isLeftOut(s) && s.facts.get<VaryingViscosity>().exists; },
           "none has not been measured with a suspension"},
-         {"gas", [](const Settings& s) { return isLeftOut(s) && s.has(entry::walls, "layers"); },
+         {"gas", [](const Settings& s) { return isLeftOut(s) && s.has(entry::wallKind, "layers"); },
           "none goes with `walls reflected`: the free surface goes on in their mirror images"},
          {"gas", [](const Settings& s) { return isLeftOut(s) && s.coefficients.backgroundPressure != 0; },
           "none leaves out the gas, and with it the backgroundPressure: the free surface has the pressure 0"},

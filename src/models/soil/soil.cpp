@@ -498,7 +498,7 @@ const Model& soilModel()
                      std::ranges::find(s.terms, std::string("balancedSoilStress")) == s.terms.end();
           },
           "`projection exact;` of poreWater solves for a divergence whose adjoint is the force: take `stressDivergence balanced;` in `soil`"},
-         {"walls", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.has(entry::walls, "layers"); },
+         {"walls", [](const Settings& s) { return s.coefficients.has<PoreWater>() && s.has(entry::wallKind, "layers"); },
           "pore water meets walls by ghosts that mirror the soil: take walls reflected"},
          {"integration",
           [](const Settings& s) { return isSoil(s) && s.coefficients.has<TwoLevels>() && hasVariables(s.coefficients.of<Soil>().law); },

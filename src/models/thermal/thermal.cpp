@@ -70,7 +70,7 @@ const Model& thermalModel()
         {},
         {},
         prepare,
-        {{"walls", [](const Settings& s) { return s.coefficients.has<ThermalProperties>() && s.has(entry::walls, "layers"); },
+        {{"walls", [](const Settings& s) { return s.coefficients.has<ThermalProperties>() && s.has(entry::wallKind, "layers"); },
           "heat passes walls by ghosts that mirror the fluid (constant/thermophysicalProperties): take walls reflected"},
          {"integration",
           [](const Settings& s)

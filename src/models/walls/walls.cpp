@@ -48,7 +48,7 @@ void prepare(const Reading& reading)
     const auto& dict = reading.schemes;
     const auto& geometry = reading.geometry;
     const bool layers = wallsAreLayers(dict);
-    settings.chosen[entry::walls.keyword()] = layers ? "layers" : "reflected";
+    settings.chosen[entry::wallKind.keyword()] = layers ? "layers" : "reflected";
     if (layers && geometry.patches.empty()) dict.error("walls", "there are none in constant/geometry");
     const bool hasStress = settings.facts.get<ConstitutiveStress>().exists;
     if (layers) reading.choose(entry::layerValues, hasStress ? "interpolated" : "byPair");
@@ -137,7 +137,7 @@ const Model& wallsModel()
           "freeSlip needs what carries the velocity along the wall from place to place; take walls reflected, or layerValues interpolated"},
          {"layerValues", [](const Settings& s) { return s.has(entry::layerValues, "interpolated") && s.integration.solves; },
           "interpolated velocities of walls depend on all particles within reach, which implicit solves do not know of: take byPair, or an explicit scheme"},
-         {"wallVelocity", [](const Settings& s) { return s.has(entry::wallVelocity, "morris") && !s.has(entry::walls, "layers"); },
+         {"wallVelocity", [](const Settings& s) { return s.has(entry::wallVelocity, "morris") && !s.has(entry::wallKind, "layers"); },
           "morris limits the velocity of a particle of the wall that lies deeper than that of the fluid before it; mirror images lie as deep: take reflected, "
           "or walls layers"},
          {"wallVelocity",
@@ -148,7 +148,7 @@ const Model& wallsModel()
           [](const Settings& s)
           { return s.has(entry::wallVelocity, "secondOrder") && s.facts.get<InterfaceForces>().act && s.integration.maxSubSteps > 1; },
           "secondOrder sees surface tension where it acts in every part of a step: take maxSubSteps 1, or reflected"},
-         {"walls", [](const Settings& s) { return s.has(entry::walls, "layers") && s.facts.get<InterfaceForces>().act; },
+         {"walls", [](const Settings& s) { return s.has(entry::wallKind, "layers") && s.facts.get<InterfaceForces>().act; },
           "layers have no interface to continue: with surface tension take walls reflected"}},
         {},
         {{"system/sphSchemes", {entry::wallVelocity, entry::wallPressure, entry::layerValues}},

@@ -2,7 +2,6 @@
 #include "base/CaseError.hpp"
 #include "base/readText.hpp"
 #include "base/version.hpp"
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -32,12 +31,12 @@ struct Demo
         testing::internal::CaptureStderr();
         code = runApplication(
             "demo", int(arguments.size()), arguments.data(), "Shows something.",
-            [&](CLI::App& app)
+            [&](CommandLine& line)
             {
-                app.add_option("--entry", entry, "Entry to show");
-                app.add_option("--value", value, "A number");
-                app.add_flag("--keywords", keywords, "List keywords");
-                app.add_option("file", file, "File to read");
+                line.option("entry", entry, "text", "Entry to show");
+                line.option("value", value, "number", "A number");
+                line.flag("keywords", keywords, "List keywords");
+                line.argument("file", file, "File to read");
             },
             [&](const std::filesystem::path& folder)
             {
@@ -84,8 +83,8 @@ TEST(CommandLine, printsUsageLikeOpenFOAM)
                         "  -help                     Print this usage\n"
                         "  -version                  Print the version\n"
                         "  -case <dir>               Case folder, instead of the current one\n"
-                        "  -entry <TEXT>             Entry to show\n"
-                        "  -value <FLOAT>            A number\n"
+                        "  -entry <text>             Entry to show\n"
+                        "  -value <number>           A number\n"
                         "  -keywords                 List keywords\n"
                         "  <file>                    File to read\n"
                         "\nShows something.\n\n");
@@ -98,7 +97,7 @@ TEST(CommandLine, explainsMistakes)
     EXPECT_EQ(misspelt.code, 1);
     EXPECT_EQ(misspelt.err, "--> FATAL ERROR\nInvalid option -keyword. Did you mean \"-keywords\"? "
                             "Known options: -help, -version, -case, -entry, -value, -keywords.\nSee 'demo -help' for usage\n");
-    EXPECT_EQ(Demo({"-entry"}).err, "--> FATAL ERROR\n-entry: 1 required TEXT missing\nSee 'demo -help' for usage\n");
+    EXPECT_EQ(Demo({"-entry"}).err, "--> FATAL ERROR\n-entry: 1 required <text> missing\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"a", "b"}).err, "--> FATAL ERROR\nUnexpected argument \"b\"\nSee 'demo -help' for usage\n");
     EXPECT_EQ(Demo({"-case", "nowhere"}).err, "--> FATAL ERROR\nThere is no case folder \"nowhere\"\nSee 'demo -help' for usage\n");
 }
@@ -135,7 +134,7 @@ TEST(CommandLine, keepsTheOrderOfALogOfBothStreams)
             throw CaseError("it ends 7");
         };
         ::_exit(redirected ? runApplication(
-                                 "demo", 1, arguments, "", [](CLI::App&) {}, work, Banner::none)
+                                 "demo", 1, arguments, "", [](CommandLine&) {}, work, Banner::none)
                            : 2);
     }
     int status = 0;

@@ -6,7 +6,6 @@
 #include "elementTests/readElementTests.hpp"
 #include "elementTests/writeElementTests.hpp"
 #include "sweeps/ChildProcess.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -143,8 +142,8 @@ int main(int argc, char** argv)
         "elementTest", argc, argv,
         "Tests soil of constant/soilProperties in one element, without SPH, as told by system/elementTestDict, and writes tables and plots into\n"
         "postProcessing/elementTest. Calibrates law wuBauer to one triaxial test, and any law to several tests at once.",
-        [&](CLI::App& app)
-        { app.add_flag("--calibrate", calibrates, "Find the constants that the section calibration asks for, and stop"); },
+        [&](sph::CommandLine& line)
+        { line.flag("calibrate", calibrates, "Find the constants that the section calibration asks for, and stop"); },
         [&](const std::filesystem::path& caseFolder)
         {
             const sph::Case c(caseFolder);

@@ -7,7 +7,6 @@
 #include "figures/FigureTable.hpp"
 #include "sweeps/CaseCopy.hpp"
 #include "sweeps/ChildProcess.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -115,16 +114,12 @@ int main(int argc, char** argv)
         "Finds the factor by which the strength of soil may be divided until it fails: runs the case with `reduceStrength` of\n"
         "constant/soilProperties at the middle of an interval of factors, and halves it. Soil fails that is not at rest at endTime; the\n"
         "load is to be on from the start, under damping of a rate. Runs and factors.csv are in run/factorOfSafety; prints the factor.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            app.add_option("low", o.low, "A factor by which the soil stands")->required()->type_name("<factor>");
-            app.add_option("high", o.high, "One by which it fails")->required()->type_name("<factor>");
-            app.add_option("--tolerance", o.tolerance, "Width of the last interval (default 0.02)")
-                ->type_name("<width>")
-                ->check(CLI::PositiveNumber);
-            app.add_option("--speed", o.speed, "Root mean square speed above which it fails [m/s] (default 1e-3)")
-                ->type_name("<speed>")
-                ->check(CLI::PositiveNumber);
+            line.argument("low", o.low, "A factor by which the soil stands").required();
+            line.argument("high", o.high, "One by which it fails").required();
+            line.option("tolerance", o.tolerance, "width", "Width of the last interval (default 0.02)").positive();
+            line.option("speed", o.speed, "speed", "Root mean square speed above which it fails [m/s] (default 1e-3)").positive();
         },
         [&](const fs::path& caseFolder)
         {

@@ -3,7 +3,6 @@
 #include "dictionary/DictionaryText.hpp"
 #include "reference/ReferenceText.hpp"
 #include "reference/reference.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace
@@ -13,7 +12,7 @@ struct Options
 {
     std::string file, entry, newValue, listed, asTemplate;
     bool valueOnly = false, keywords = false, markdown = false;
-    CLI::Option *set = nullptr, *list = nullptr, *makeTemplate = nullptr;
+    sph::CommandLine::Option set, list, makeTemplate;
 };
 
 void print(const std::vector<std::string>& lines)
@@ -50,31 +49,28 @@ void show(const Options& o, const std::filesystem::path& caseFolder)
 int main(int argc, char** argv)
 {
     Options o;
-    const auto options = [&](CLI::App& app)
+    const auto options = [&](sph::CommandLine& line)
     {
-        app.add_option("--entry", o.entry, "Entry to show or set, a.b for b in dictionary a; else the whole file")->type_name("<a.b>");
-        auto* value = app.add_flag("--value", o.valueOnly, "Show the value alone, without keyword and ';'");
-        auto* keywords = app.add_flag("--keywords", o.keywords, "List the keywords of the file or of the entry");
-        o.set =
-            app.add_option("--set", o.newValue, "Give the entry this value, leaving the rest of the file as it is")->type_name("<value>");
-        o.list = app.add_option("--list", o.listed,
-                                "Say which entries a file may have: system/controlDict.functions.errors; which columns a table has: "
-                                "postProcessing/errors; without a file: which files")
-                     ->type_name("<file.a.b>")
-                     ->expected(0, 1);
-        auto* markdown = app.add_flag("--markdown", o.markdown, "List as a page in Markdown")->needs(o.list);
-        o.makeTemplate = app.add_option("--template", o.asTemplate, "Print a file to fill in, with every entry that it may have")
-                             ->type_name("<dictionary>");
-        o.set->excludes(value)->excludes(keywords)->excludes(o.list)->excludes(o.makeTemplate);
-        o.makeTemplate->excludes(o.list)->excludes(markdown);
-        app.add_option("file", o.file, "Dictionary, relative to the case folder");
+        line.option("entry", o.entry, "a.b", "Entry to show or set, a.b for b in dictionary a; else the whole file");
+        const auto value = line.flag("value", o.valueOnly, "Show the value alone, without keyword and ';'");
+        const auto keywords = line.flag("keywords", o.keywords, "List the keywords of the file or of the entry");
+        o.set = line.option("set", o.newValue, "value", "Give the entry this value, leaving the rest of the file as it is");
+        o.list = line.option("list", o.listed, "file.a.b",
+                             "Say which entries a file may have: system/controlDict.functions.errors; which columns a table has: "
+                             "postProcessing/errors; without a file: which files")
+                     .valueOptional();
+        const auto markdown = line.flag("markdown", o.markdown, "List as a page in Markdown").needs(o.list);
+        o.makeTemplate = line.option("template", o.asTemplate, "dictionary", "Print a file to fill in, with every entry that it may have");
+        o.set.excludes(value).excludes(keywords).excludes(o.list).excludes(o.makeTemplate);
+        o.makeTemplate.excludes(o.list).excludes(markdown);
+        line.argument("file", o.file, "Dictionary, relative to the case folder");
     };
     const auto body = [&](const std::filesystem::path& caseFolder)
     {
-        if (o.list->count() > 0) list(o);
-        else if (o.makeTemplate->count() > 0) fmt::print("{}", sph::templateText(sph::findPart(sph::reference(), o.asTemplate)));
+        if (o.list.given()) list(o);
+        else if (o.makeTemplate.given()) fmt::print("{}", sph::templateText(sph::findPart(sph::reference(), o.asTemplate)));
         else if (o.file.empty()) throw sph::CaseError("file is required. See 'sphDictionary -help' for usage");
-        else if (o.set->count() == 0) show(o, caseFolder);
+        else if (!o.set.given()) show(o, caseFolder);
         else if (o.entry.empty()) throw sph::CaseError("-set needs an -entry to set");
         else sph::setEntry(caseFolder, o.file, o.entry, o.newValue);
         return 0;

@@ -6,7 +6,6 @@
 #include "decomposition/decompose.hpp"
 #include "decomposition/processorFolders.hpp"
 #include "estimateReport.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <optional>
@@ -77,25 +76,25 @@ int main(int argc, char** argv)
     return sph::runApplication(
         "decomposeParticles", argc, argv,
         "Divides the particles of a case between folders processor0, processor1, .. (system/decomposeParDict).",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            auto* time = app.add_option("--time", options.times, "Times and ranges: '0.1,0.3', '0.1:0.5' (default: that of startFrom)");
-            time->type_name("<ranges>");
-            app.add_flag("--latestTime", options.latestTime, "The last time")->excludes(time);
-            app.add_flag("--force", options.force, "Remove the processor folders that there are");
-            auto* ranks =
-                app.add_option("--estimate", options.estimate, "Write nothing: report what so many ranks would have to do and to send");
-            ranks->type_name("<ranks>")->check(CLI::Range(1, mostRanks));
+            const auto time =
+                line.option("time", options.times, "ranges", "Times and ranges: '0.1,0.3', '0.1:0.5' (default: that of startFrom)");
+            line.flag("latestTime", options.latestTime, "The last time").excludes(time);
+            line.flag("force", options.force, "Remove the processor folders that there are");
+            const auto ranks =
+                line.option("estimate", options.estimate, "ranks", "Write nothing: report what so many ranks would have to do and to send")
+                    .within(1, mostRanks);
             const auto ofEstimate = [&](const std::string& name, auto& value, const std::string& type, const std::string& meaning)
-            { app.add_option("--" + name, value, meaning)->type_name(type)->check(CLI::PositiveNumber)->needs(ranks); };
+            { line.option(name, value, type, meaning).positive().needs(ranks); };
             auto& costs = options.costs;
             const auto with = [](const std::string& meaning, auto fallback) { return fmt::format("{} (default {})", meaning, fallback); };
-            ofEstimate("scaleTo", options.scaleTo, "<particles>", "Also for so many particles, by the surfaces of boxes");
-            ofEstimate("latency", costs.latency, "<s>", with("Of a message", costs.latency));
-            ofEstimate("bandwidth", costs.bandwidth, "<bytes/s>", with("Of a rank", costs.bandwidth));
-            ofEstimate("secondsPerParticle", costs.secondsPerParticle, "<s>", with("Of a step", costs.secondsPerParticle));
-            ofEstimate("refreshes", costs.refreshes, "<n>", with("Of copies in a step", costs.refreshes));
-            ofEstimate("values", costs.values, "<n>", with("Numbers of a copy that are sent in a step", costs.values));
+            ofEstimate("scaleTo", options.scaleTo, "particles", "Also for so many particles, by the surfaces of boxes");
+            ofEstimate("latency", costs.latency, "s", with("Of a message", costs.latency));
+            ofEstimate("bandwidth", costs.bandwidth, "bytes/s", with("Of a rank", costs.bandwidth));
+            ofEstimate("secondsPerParticle", costs.secondsPerParticle, "s", with("Of a step", costs.secondsPerParticle));
+            ofEstimate("refreshes", costs.refreshes, "n", with("Of copies in a step", costs.refreshes));
+            ofEstimate("values", costs.values, "n", with("Numbers of a copy that are sent in a step", costs.values));
         },
         [&](const std::filesystem::path& folder) { return options.estimate > 0 ? estimate(folder, options) : run(folder, options); });
 }

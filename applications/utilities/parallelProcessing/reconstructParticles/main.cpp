@@ -5,7 +5,6 @@
 #include "case/timeSelection.hpp"
 #include "decomposition/decompose.hpp"
 #include "geometry/Geometry.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -56,13 +55,12 @@ int main(int argc, char** argv)
     Options options;
     return sph::runApplication(
         "reconstructParticles", argc, argv, "Puts the time folders of processor0, processor1, .. together into time folders of the case.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            auto* time = app.add_option("--time", options.times,
-                                        "Times and ranges: '0.1,0.3', '0.1:0.5' (default: all but those that were decomposed)");
-            time->type_name("<ranges>");
-            auto* latest = app.add_flag("--latestTime", options.latestTime, "The last time only")->excludes(time);
-            app.add_flag("--newTimes", options.newTimes, "Those that the case does not have yet")->excludes(time)->excludes(latest);
+            const auto time = line.option("time", options.times, "ranges",
+                                          "Times and ranges: '0.1,0.3', '0.1:0.5' (default: all but those that were decomposed)");
+            const auto latest = line.flag("latestTime", options.latestTime, "The last time only").excludes(time);
+            line.flag("newTimes", options.newTimes, "Those that the case does not have yet").excludes(time).excludes(latest);
         },
         [&](const std::filesystem::path& folder) { return run(folder, options); });
 }

@@ -5,7 +5,6 @@
 #include "case/Case.hpp"
 #include "figures/FigurePlan.hpp"
 #include "figures/FigureTable.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -81,24 +80,18 @@ int main(int argc, char** argv)
     return sph::runApplication(
         "caseFigures", argc, argv,
         "Prints the tables of figures that system/figuresDict asks for, from what runs have left, and appends them to run/results.csv.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            app.add_option("tables", options.tables, "These tables only")->type_name("<table>");
-            auto* value = app.add_option(
-                "--value", options.value,
+            line.argument("tables", options.tables, "These tables only");
+            const auto value = line.option(
+                "value", options.value, "expression",
                 "Print this expression alone: of numbers, of what the log of the case tells, of columns of a table at its last row");
-            value->type_name("<expression>");
-            app.add_option("--table", options.table, "The table: a function object, or a file of the case")
-                ->type_name("<name>")
-                ->needs(value);
-            app.add_option("--where", options.where, "Condition on the rows of the table")->type_name("<expression>")->needs(value);
-            app.add_option("--operation", options.operation, "What is made of the rows: last (default), first, min, max, mean, sum ..")
-                ->type_name("<word>")
-                ->needs(value);
-            app.add_option("--format", options.format, "How it is written, as printf has it (default: %.6g)")
-                ->type_name("<format>")
-                ->needs(value);
-            app.add_flag("--noRecord", options.unrecorded, "Leave run/results.csv alone");
+            line.option("table", options.table, "name", "The table: a function object, or a file of the case").needs(value);
+            line.option("where", options.where, "expression", "Condition on the rows of the table").needs(value);
+            line.option("operation", options.operation, "word", "What is made of the rows: last (default), first, min, max, mean, sum ..")
+                .needs(value);
+            line.option("format", options.format, "format", "How it is written, as printf has it (default: %.6g)").needs(value);
+            line.flag("noRecord", options.unrecorded, "Leave run/results.csv alone");
         },
         [&](const std::filesystem::path& folder) { return options.value.empty() ? run(folder, options) : printValue(folder, options); },
         sph::Banner::none);

@@ -7,7 +7,6 @@
 #include "case/timeSelection.hpp"
 #include "surfaces/VirtualDisplay.hpp"
 #include "surfaces/entries/surfaceTable.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
@@ -117,16 +116,14 @@ int main(int argc, char** argv)
         "reconstructSurface", argc, argv,
         "Reconstructs the surface of a phase from its particles, as told by system/reconstructSurfaceDict (optional), into\n"
         "postProcessing/reconstructSurface.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            auto* time = app.add_option("--time", options.times, "Times and ranges: '0.1,0.3', '0.1:0.5', ':0.5' (default: all)");
-            time->type_name("<ranges>");
-            app.add_flag("--latestTime", options.latestTime, "The last time only")->excludes(time);
-            app.add_option("--phase", options.phase, "This phase only")->type_name("<name>");
-            app.add_flag("--picture", options.pictures, "Draw <time>/<phase>.png");
-            app.add_option("--movie", options.movie, "Draw all times and join them to <phase>.mp4 or .gif, by ffmpeg")
-                ->type_name("<mp4|gif>");
-            app.add_flag("--noSurface", options.noSurface, "Write no surface: pictures only");
+            const auto time = line.option("time", options.times, "ranges", "Times and ranges: '0.1,0.3', '0.1:0.5', ':0.5' (default: all)");
+            line.flag("latestTime", options.latestTime, "The last time only").excludes(time);
+            line.option("phase", options.phase, "name", "This phase only");
+            line.flag("picture", options.pictures, "Draw <time>/<phase>.png");
+            line.option("movie", options.movie, "mp4|gif", "Draw all times and join them to <phase>.mp4 or .gif, by ffmpeg");
+            line.flag("noSurface", options.noSurface, "Write no surface: pictures only");
         },
         [&](const std::filesystem::path& folder) { return run(folder, options); });
 }

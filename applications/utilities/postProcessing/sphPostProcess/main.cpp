@@ -4,7 +4,6 @@
 #include "sampling/FunctionLibraries.hpp"
 #include "sampling/FunctionObject.hpp"
 #include "storedCase/StoredCase.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace
@@ -52,12 +51,11 @@ int main(int argc, char** argv)
     Options options;
     return sph::runApplication(
         "sphPostProcess", argc, argv, "Runs the function objects of system/controlDict on the stored times of a case, into postProcessing.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            auto* time = app.add_option("--time", options.times, "Times and ranges: '0.1,0.3', '0.1:0.5', ':0.5' (default: all)");
-            time->type_name("<ranges>");
-            app.add_flag("--latestTime", options.latestTime, "The last time only")->excludes(time);
-            app.add_option("--func", options.functions, "These function objects only")->type_name("<name>");
+            const auto time = line.option("time", options.times, "ranges", "Times and ranges: '0.1,0.3', '0.1:0.5', ':0.5' (default: all)");
+            line.flag("latestTime", options.latestTime, "The last time only").excludes(time);
+            line.option("func", options.functions, "name", "These function objects only");
         },
         [&](const std::filesystem::path& folder) { return run(folder, options); });
 }

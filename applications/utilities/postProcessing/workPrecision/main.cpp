@@ -2,7 +2,6 @@
 #include "CaseSweep.hpp"
 #include "base/CommandLine.hpp"
 #include "base/version.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 int main(int argc, char** argv)
@@ -14,18 +13,16 @@ int main(int argc, char** argv)
         "Runs variants of a case over a ladder of resolutions, as told by system/workPrecisionDict, and writes errors, costs, "
         "observed\n"
         "orders and plots into postProcessing/workPrecision. Goes on where it was interrupted.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            auto* print = app.add_flag("--csv", csv, "Print the table of what has been run, and of the peers, and stop");
-            app.add_flag("--dry-run", dryRun, "Check everything, print what would run, and stop")->excludes(print);
-            app.add_option("--variants", selection.variants, "These variants alone: suite,paper (default: all)")
-                ->delimiter(',')
-                ->type_name("<names>")
-                ->excludes(print);
-            app.add_option("--coarsest", selection.coarsest, "As many resolutions alone, the coarsest ones (default: all)")
-                ->type_name("<number>")
-                ->check(CLI::PositiveNumber)
-                ->excludes(print);
+            const auto print = line.flag("csv", csv, "Print the table of what has been run, and of the peers, and stop");
+            line.flag("dry-run", dryRun, "Check everything, print what would run, and stop").excludes(print);
+            line.option("variants", selection.variants, "names", "These variants alone: suite,paper (default: all)")
+                .commaSeparated()
+                .excludes(print);
+            line.option("coarsest", selection.coarsest, "number", "As many resolutions alone, the coarsest ones (default: all)")
+                .positive()
+                .excludes(print);
         },
         [&](const std::filesystem::path& caseFolder)
         {

@@ -5,7 +5,6 @@
 #include "base/words.hpp"
 #include "solids/rocks/closedSurface.hpp"
 #include "solids/rocks/makeRock.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -54,18 +53,17 @@ int main(int argc, char** argv)
     return sph::runApplication(
         "makeRocks", argc, argv,
         "Makes shapes of rocks in constant/triSurface: <kind><number>, closed surfaces, and a scan with the faults of one.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
             std::string kinds = "all, scan";
             for (const auto& kind : sph::rockKinds()) kinds += fmt::format(", {} ({})", kind.name, kind.meaning);
-            app.add_option("--kind", choice.kind, "One of: " + kinds)->type_name("<word>");
-            app.add_option("--count", choice.count, "Shapes of each kind (default 1)")->type_name("<n>");
-            app.add_option("--facets", choice.facets,
-                           "Facets of each, the nearest possible number (default 80; the scan has 25 times as many)")
-                ->type_name("<n>");
-            app.add_option("--size", choice.size, "Diameter of the sphere of equal volume [m] (default 1)")->type_name("<d>");
-            app.add_option("--seed", choice.seed, "The same seed makes the same shapes (default 1)")->type_name("<n>");
-            app.add_option("--format", choice.format, "obj (default, exact) or stl (binary)")->type_name("<word>");
+            line.option("kind", choice.kind, "word", "One of: " + kinds);
+            line.option("count", choice.count, "n", "Shapes of each kind (default 1)");
+            line.option("facets", choice.facets, "n",
+                        "Facets of each, the nearest possible number (default 80; the scan has 25 times as many)");
+            line.option("size", choice.size, "d", "Diameter of the sphere of equal volume [m] (default 1)");
+            line.option("seed", choice.seed, "n", "The same seed makes the same shapes (default 1)");
+            line.option("format", choice.format, "word", "obj (default, exact) or stl (binary)");
         },
         [&](const std::filesystem::path& folder)
         {

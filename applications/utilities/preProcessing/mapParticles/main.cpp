@@ -2,7 +2,6 @@
 #include "base/CommandLine.hpp"
 #include "case/CaseLock.hpp"
 #include "mapping/mapCase.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 int main(int argc, char** argv)
@@ -11,10 +10,10 @@ int main(int argc, char** argv)
     return sph::runApplication(
         "mapParticles", argc, argv,
         "Gives the particles that packParticles has packed the state of another case of the same scene, of coarser or finer spacing.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            app.add_option("sourceCase", source, "Case whose particles have the state")->required();
-            app.add_option("--sourceTime", time, "Time of the source, or latestTime (default)")->type_name("<time>");
+            line.argument("sourceCase", source, "Case whose particles have the state").required();
+            line.option("sourceTime", time, "time", "Time of the source, or latestTime (default)");
         },
         [&](const std::filesystem::path& caseFolder)
         {

@@ -14,7 +14,6 @@
 #include "meshes/prepareMesh.hpp"
 #include "meshes/readers/NumberedMesh.hpp"
 #include "report.hpp"
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -136,13 +135,12 @@ int main(int argc, char** argv)
     return sph::runApplication(
         "meshToGhost", argc, argv,
         "Prepares the walls of constant/geometry, shapes and meshes, for the solver and checks that reflection can represent them.",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            app.add_flag("--check", check,
-                         "Print curvature, gaps, contacts and motion of every wall, and of meshes what surfaceCheck prints");
-            app.add_flag("--inSolids", inSolids,
-                         "Prepare nothing, but count the particles of all time folders that lie in walls: in meshes, as their files have "
-                         "them, by CGAL");
+            line.flag("check", check, "Print curvature, gaps, contacts and motion of every wall, and of meshes what surfaceCheck prints");
+            line.flag("inSolids", inSolids,
+                      "Prepare nothing, but count the particles of all time folders that lie in walls: in meshes, as their files have "
+                      "them, by CGAL");
         },
         [&](const std::filesystem::path& folder) { return inSolids ? countInSolids(folder) : prepare(folder, check); });
 }

@@ -3,7 +3,6 @@
 #include "case/CaseLock.hpp"
 #include "packing/Packing.hpp"
 #include "solids/BedReport.hpp"
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace
@@ -39,10 +38,10 @@ int main(int argc, char** argv)
     bool solids = false;
     return sph::runApplication(
         "packParticles", argc, argv, "Fills the space between the walls of a case with particles (system/packParticlesDict).",
-        [&](CLI::App& app)
+        [&](sph::CommandLine& line)
         {
-            app.add_option("--time", time, "Time folder to write (default 0)")->type_name("<name>");
-            app.add_flag("--solids", solids, "Pack the solids of section solids instead: the bed that constant/geometry takes in");
+            line.option("time", time, "name", "Time folder to write (default 0)");
+            line.flag("solids", solids, "Pack the solids of section solids instead: the bed that constant/geometry takes in");
         },
         [&](const std::filesystem::path& caseFolder)
         {
