@@ -23,7 +23,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE zstd)
 # Libraries by dpkg-shlibdeps, in prepare.cmake. By hand: what programs start. reconstructSurface draws through Xvfb, workPrecision and elementTest through gnuplot.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "xvfb, gnuplot-nox | gnuplot")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openmpi-bin, bash-completion, python3")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, g++, cmake, libfmt-dev, libcli11-dev, libeigen3-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, g++, cmake, libfmt-dev, libeigen3-dev")
 # As dpkg-buildpackage: files that all may read, whatever umask the builder has.
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)

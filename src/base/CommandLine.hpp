@@ -32,7 +32,7 @@ class Option;
 namespace sph
 {
 
-/// What an application declares of its command line. Values and the names of options outlive it: they are written while the line is read.
+/// Where an application declares its options. Their values are written once all are declared, when the line is read: they must live until then.
 class CommandLine
 {
     CLI::App& app_;
@@ -61,9 +61,9 @@ public:
 
     /// `-name`.
     Option flag(const std::string& name, bool& value, const std::string& meaning);
-    /// `-name <type>`; Value: std::string, double, int, std::optional<double>, std::vector<std::string>. What the line does not give stays.
+    /// `-name <type>`; Value: std::string, double, int, std::optional<double> or std::vector<std::string>. The value of an option that the line does not have stays.
     template<class Value> Option option(const std::string& name, Value& value, const std::string& type, const std::string& meaning);
-    /// The next one of what stands without a dash; Value: std::string, double, and std::vector<std::string> for all that is left.
+    /// The next one of what stands without a dash; Value: std::string, double, or std::vector<std::string> for all that is left.
     template<class Value> Option argument(const std::string& name, Value& value, const std::string& meaning);
 };
 

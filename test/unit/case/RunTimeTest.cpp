@@ -12,9 +12,9 @@ namespace sph
 namespace
 {
 
-const std::string header = "FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }\n";
+const std::string timeHeader = "FoamFile { version 2.0; format ascii; class dictionary; object controlDict; }\n";
 
-void control(const TemporaryCase& c, const std::string& text) { c.write("system/controlDict", header + text); }
+void control(const TemporaryCase& c, const std::string& text) { c.write("system/controlDict", timeHeader + text); }
 
 void makeTime(const TemporaryCase& c, const std::string& name) { std::filesystem::create_directories(c.folder() / name); }
 

@@ -57,8 +57,8 @@ public:
     }
 };
 
-const std::string cubicBed = "dimension 3;\ndomain { min (0 0 0); max (1 1 1); periodic (x y z); }\n"
-                             "walls { grains { type sphereBed; lattice sc; radius 0.5; period 1; } }\n";
+const std::string cubicBedText = "dimension 3;\ndomain { min (0 0 0); max (1 1 1); periodic (x y z); }\n"
+                                 "walls { grains { type sphereBed; lattice sc; radius 0.5; period 1; } }\n";
 }
 
 // Without packParticlesDict the domain is filled with the first phase: 10 x 10 particles, whose mass is the water between the walls.
@@ -120,7 +120,7 @@ TEST(Packing, wrapsSphereRegionsRoundPeriodicSides)
 TEST(Packing, reachesTheSaturationToOneParticle)
 {
     CaseFolder c;
-    c.write("constant/geometry", cubicBed);
+    c.write("constant/geometry", cubicBedText);
     c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
     for (const std::string placement :
          {"contacts;", "film;", "top;", "bottom;", "random; seed 3;", "drops; number 4;", "layer; point (0 0.5 0); normal (0 1 0);"})
@@ -137,7 +137,7 @@ TEST(Packing, reachesTheSaturationToOneParticle)
 TEST(Packing, leavesAThirdPhaseWhereItIs)
 {
     CaseFolder c;
-    c.write("constant/geometry", cubicBed);
+    c.write("constant/geometry", cubicBedText);
     c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
     c.write("constant/phaseProperties", "phases (water air oil);\nwater { rho 1000; }\nair { rho 1; }\noil { rho 800; }\n");
     const std::string fill = "fill ( { region all; phase air; } { region sphere; centre (0.5 0.5 0.5); radius 0.3; phase oil; } );\n";
@@ -168,7 +168,7 @@ TEST(Packing, leavesAThirdPhaseWhereItIs)
 TEST(Packing, putsWaterWhereGrainsMeet)
 {
     CaseFolder c;
-    c.write("constant/geometry", cubicBed);
+    c.write("constant/geometry", cubicBedText);
     c.write("system/sphSchemes", "resolution { spacing 0.0625; support 2.6; kernel wendlandC2; }\n");
     c.write("system/packParticlesDict", "saturation { phase water; gas air; value 0.08; placement contacts; }\n");
     const auto p = c.pack();
@@ -296,7 +296,7 @@ TEST(Packing, replacesTheParticlesOfATimeFolderAlone)
 TEST(Packing, reportsTheBed)
 {
     CaseFolder c;
-    c.write("constant/geometry", cubicBed);
+    c.write("constant/geometry", cubicBedText);
     c.write("constant/g", "dimensions [0 1 -2 0 0 0 0];\nvalue (0 -9.81 0);\n");
     c.write("system/sphSchemes", "resolution { spacing 0.125; support 2.6; kernel wendlandC2; }\n");
     c.write("system/packParticlesDict", "fill ( { region all; phase water; } ); allowEmpty yes; relax { steps 5; }\n");

@@ -10,7 +10,7 @@ namespace sph::test
 namespace
 {
 
-std::string errorOf(const std::vector<std::string>& terms, const std::set<std::string>& given)
+std::string errorOfPlan(const std::vector<std::string>& terms, const std::set<std::string>& given)
 {
     try
     {
@@ -25,25 +25,25 @@ std::string errorOf(const std::vector<std::string>& terms, const std::set<std::s
 
 TEST(Plan, SuggestsATermForAMisspeltOne)
 {
-    const auto error = errorOf({"huAdamsPresure"}, {});
+    const auto error = errorOfPlan({"huAdamsPresure"}, {});
     EXPECT_EQ(error.find("term \"huAdamsPresure\" is unknown. Did you mean \"huAdamsPressure\"?"), 0u) << error;
 }
 
 TEST(Plan, NamesTheTermThatLacksAField)
 {
-    EXPECT_EQ(errorOf({"numberDensity", "summedDensity"}, {"positions"}),
+    EXPECT_EQ(errorOfPlan({"numberDensity", "summedDensity"}, {"positions"}),
               "term \"summedDensity\" reads \"m\" [kg], which the scene does not give and no term provides");
 }
 
 TEST(Plan, RefusesTwoProvidersOfOneField)
 {
-    EXPECT_EQ(errorOf({"tait", "taitOfPhase"}, {"m", "phase"}), "field \"p\" is provided by both tait and taitOfPhase: select one");
+    EXPECT_EQ(errorOfPlan({"tait", "taitOfPhase"}, {"m", "phase"}), "field \"p\" is provided by both tait and taitOfPhase: select one");
 }
 
 TEST(Plan, AsksWhereSeveralCouldProvide)
 {
     EXPECT_EQ(
-        errorOf({"huAdamsPressure"}, {"m"}),
+        errorOfPlan({"huAdamsPressure"}, {"m"}),
         "term \"huAdamsPressure\" reads \"p\": select one of taitOfPhaseOrAmbient, taitOfPhaseOrHeldOrAmbient, tait, taitOrHeld, taitOfPhase, taitOfPhaseOrHeld, meanPressure");
 }
 
@@ -99,7 +99,7 @@ TEST(Plan, ReadsAFieldThatSeveralTermsAddTo)
                                          "interfaceStress", "wallTension",   "stressDivergence"};
     const Plan<2> plan(wholeCatalogue<2>(), terms, {"positions", "U", "m", "phase"});
     EXPECT_EQ(plan.pairPasses(), 3);
-    EXPECT_EQ(errorOf({"numberDensity", "wallTension", "stressDivergence"}, {"positions", "U", "m"}),
+    EXPECT_EQ(errorOfPlan({"numberDensity", "wallTension", "stressDivergence"}, {"positions", "U", "m"}),
               "term \"wallTension\" reads \"phase\" [1], which the scene does not give and no term provides");
 }
 

@@ -9,11 +9,11 @@ namespace sph::test
 namespace
 {
 
-const Files files{{"system/controlDict", "endTime 1; // seconds\n"},
-                  {"system/sphSchemes", "n 10;\nresolution\n{\n    spacing #eval \"1.0/$n\";\n    support 2.6; // spacings\n}\n"},
-                  {"constant/geometry", "dimension 2;\n"},
-                  {"constant/walls", "old\n"},
-                  {"0/lagrangian/sph/U", "start\n"}};
+const Files sweepFiles{{"system/controlDict", "endTime 1; // seconds\n"},
+                       {"system/sphSchemes", "n 10;\nresolution\n{\n    spacing #eval \"1.0/$n\";\n    support 2.6; // spacings\n}\n"},
+                       {"constant/geometry", "dimension 2;\n"},
+                       {"constant/walls", "old\n"},
+                       {"0/lagrangian/sph/U", "start\n"}};
 
 const std::string dictionary = "resolutions (16 8);\n"
                                "setResolution { \"system/sphSchemes\" { n $n; } }\n"
@@ -24,12 +24,12 @@ const std::string dictionary = "resolutions (16 8);\n"
 
 TestCase caseWith(const std::string& text)
 {
-    auto all = files;
+    auto all = sweepFiles;
     all["system/workPrecisionDict"] = text;
     return TestCase(all);
 }
 
-std::string mistakesIn(const std::string& text)
+std::string mistakesOfPlan(const std::string& text)
 {
     const auto folder = caseWith(text);
     const Case c(folder.folder());
@@ -110,13 +110,13 @@ TEST(CaseCopy, HasTheOverrides)
     EXPECT_FALSE(std::filesystem::exists(to / "0"));
     copyInputs(plan.baseCase, to, true);
     EXPECT_TRUE(std::filesystem::exists(to / "0/lagrangian/sph/U"));
-    EXPECT_EQ(folder.read("system/sphSchemes"), files.at("system/sphSchemes"));
+    EXPECT_EQ(folder.read("system/sphSchemes"), sweepFiles.at("system/sphSchemes"));
 }
 
 // The stamp of inputs changes with a byte, with a name, and with what is said beside them; not with the folder.
 TEST(CaseCopy, HasAStampOfItsInputs)
 {
-    const TestCase a(files), b(files);
+    const TestCase a(sweepFiles), b(sweepFiles);
     const auto stamp = inputsStamp(a.folder(), {}, {"x"});
     EXPECT_EQ(stamp.size(), 16u);
     EXPECT_EQ(stamp, inputsStamp(b.folder(), {}, {"x"}));
@@ -151,9 +151,9 @@ TEST(SweepPlan, ASelectionLeavesItsRuns)
 TEST(SweepPlan, NamesMistakes)
 {
     const std::string rest = "setResolution { }\nerrors ( { field U; } );\n";
-    const auto all =
-        mistakesIn("resolutions (8 0 -4 8);\nsetResolution { \"system/sphScheme\" { a 1; } }\nvariants { \"a/b\" { } c { system 1; } }\n"
-                   "errors ( { norm L3; } );\nrepeats 0;\ntimeLimit -1;\nresolution 1;\n");
+    const auto all = mistakesOfPlan(
+        "resolutions (8 0 -4 8);\nsetResolution { \"system/sphScheme\" { a 1; } }\nvariants { \"a/b\" { } c { system 1; } }\n"
+        "errors ( { norm L3; } );\nrepeats 0;\ntimeLimit -1;\nresolution 1;\n");
     for (const char* what :
          {"Dict:1: resolution 0 must be greater than 0", "Dict:1: resolution -4 must be", "Dict:1: resolution 8 stands twice",
           "Dict:2: the case has no file \"system/sphScheme\". Did you mean \"system/sphSchemes\"?",
@@ -161,18 +161,19 @@ TEST(SweepPlan, NamesMistakes)
           "Dict:5: \"repeats\" must be at least 1", "Dict:6:", "Dict:7: entry \"resolution\" is not used here"})
         EXPECT_NE(all.find(what), std::string::npos) << what << " not in\n" << all;
 
-    EXPECT_NE(mistakesIn("resolutions ();\n" + rest).find("\"resolutions\" is empty"), std::string::npos);
-    EXPECT_NE(mistakesIn(rest).find("entry \"resolutions\" is missing"), std::string::npos);
-    EXPECT_NE(mistakesIn("n 3;\nresolutions (1);\n" + rest).find("Dict:1: \"n\" is given from outside"), std::string::npos);
-    EXPECT_NE(mistakesIn("resolutions (1 2);\nerrors ( { field U; } );\n").find("\"setResolution\" is missing"), std::string::npos);
+    EXPECT_NE(mistakesOfPlan("resolutions ();\n" + rest).find("\"resolutions\" is empty"), std::string::npos);
+    EXPECT_NE(mistakesOfPlan(rest).find("entry \"resolutions\" is missing"), std::string::npos);
+    EXPECT_NE(mistakesOfPlan("n 3;\nresolutions (1);\n" + rest).find("Dict:1: \"n\" is given from outside"), std::string::npos);
+    EXPECT_NE(mistakesOfPlan("resolutions (1 2);\nerrors ( { field U; } );\n").find("\"setResolution\" is missing"), std::string::npos);
     const std::string ladder = "resolutions (1);\nsetResolution { }\n";
-    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm mean; } );\n").find("Dict:3: norm mean is one over time"), std::string::npos);
-    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm rms; } );\n").find("Dict:3: norm rms is one over time"), std::string::npos);
-    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; norm mean; averageFrom 2; time 1; } );\n").find("averageFrom 2 is after time 1"),
+    EXPECT_NE(mistakesOfPlan(ladder + "errors ( { field U; norm mean; } );\n").find("Dict:3: norm mean is one over time"),
               std::string::npos);
-    EXPECT_NE(mistakesIn(ladder + "errors ( { field U; averageFrom 2; } );\n").find("entry \"averageFrom\" is not used here"),
+    EXPECT_NE(mistakesOfPlan(ladder + "errors ( { field U; norm rms; } );\n").find("Dict:3: norm rms is one over time"), std::string::npos);
+    EXPECT_NE(mistakesOfPlan(ladder + "errors ( { field U; norm mean; averageFrom 2; time 1; } );\n").find("averageFrom 2 is after time 1"),
               std::string::npos);
-    EXPECT_NE(mistakesIn("baseCase nowhere;\nresolutions (1);\n" + rest).find("Dict:1: there is no case folder \"nowhere\""),
+    EXPECT_NE(mistakesOfPlan(ladder + "errors ( { field U; averageFrom 2; } );\n").find("entry \"averageFrom\" is not used here"),
+              std::string::npos);
+    EXPECT_NE(mistakesOfPlan("baseCase nowhere;\nresolutions (1);\n" + rest).find("Dict:1: there is no case folder \"nowhere\""),
               std::string::npos);
 }
 

@@ -15,9 +15,9 @@ using namespace sph;
 namespace
 {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
-Measurement measure(const Particles& particles, const std::string& name, const std::string& parameters)
+Measurement measured(const Particles& particles, const std::string& name, const std::string& parameters)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
     const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
@@ -77,9 +77,9 @@ TEST(LiquidLens, isRecoveredFromItsExactShape)
             return up * x.y >= 0 && mag(x - centre) < 1 / std::sin(theta);
         };
         particles.setPhase([&](Vector<3> x) { return within(x, above, 1) || within(x, below, -1) ? 1 : x.y < 0 ? 0 : 2; });
-        const auto toWater = measure(particles, "lensAngle", "phase oil; towards water;"),
-                   toAir = measure(particles, "lensAngle", "phase oil; towards air;"),
-                   radius = measure(particles, "lensRadius", "phase oil;");
+        const auto toWater = measured(particles, "lensAngle", "phase oil; towards water;"),
+                   toAir = measured(particles, "lensAngle", "phase oil; towards air;"),
+                   radius = measured(particles, "lensRadius", "phase oil;");
         EXPECT_EQ(toWater.note + toAir.note + radius.note, "");
         EXPECT_NEAR(toAir.reference, 58.7516, 1e-3);
         EXPECT_NEAR(toWater.reference, 49.4584, 1e-3);
@@ -114,7 +114,7 @@ TEST(ContactAngle, isRecoveredFromCapsInAGas)
     // Caps cut out of a lattice, 24 spacings high: the staircase is what keeps the fit from the exact angle.
     for (const double degrees : {30.0, 60.0, 90.0, 120.0, 150.0})
     {
-        const auto m = measure(cap(2, degrees, 1e-4, 24e-4, true), "contactAngle", "");
+        const auto m = measured(cap(2, degrees, 1e-4, 24e-4, true), "contactAngle", "");
         EXPECT_NEAR(m.value, degrees, 0.5);
         EXPECT_EQ(m.reference, 77);
         EXPECT_EQ(m.note, "");
@@ -125,12 +125,12 @@ TEST(ContactAngle, isRecoveredFromCapsWithoutGas)
 {
     // There the half of V W is the surface, to a small shift by the curvature.
     for (const double degrees : {30.0, 90.0, 150.0})
-        EXPECT_NEAR(measure(cap(2, degrees, 1e-4, 24e-4, false), "contactAngle", "").value, degrees, 0.5);
+        EXPECT_NEAR(measured(cap(2, degrees, 1e-4, 24e-4, false), "contactAngle", "").value, degrees, 0.5);
 }
 
 TEST(ContactAngle, isRecoveredInThreeDimensions)
 {
-    for (const double degrees : {60.0, 120.0}) EXPECT_NEAR(measure(cap(3, degrees, 1, 14, true), "contactAngle", "").value, degrees, 0.5);
+    for (const double degrees : {60.0, 120.0}) EXPECT_NEAR(measured(cap(3, degrees, 1, 14, true), "contactAngle", "").value, degrees, 0.5);
 }
 
 TEST(ContactAngle, isThatToACurvedWall)
@@ -148,7 +148,7 @@ TEST(ContactAngle, isThatToACurvedWall)
             const auto inFluid = [&](const Vector<3>& x) { return sign * (std::hypot(x.x, x.y) - R_w) > 0; };
             particles.phases = {"water", "air"};
             particles.setPhase([&](Vector<3> x) { return inFluid(x) && std::hypot(x.x - 0.3, x.y - y) < R ? 0 : 1; });
-            EXPECT_NEAR(measure(particles, "contactAngle", "").value, degrees, 1) << degrees << (sign > 0 ? " outside" : " inside");
+            EXPECT_NEAR(measured(particles, "contactAngle", "").value, degrees, 1) << degrees << (sign > 0 ? " outside" : " inside");
         }
 }
 
@@ -157,21 +157,21 @@ TEST(ContactAngle, ofTheSecondPhaseIsTheSupplement)
     auto particles = cap(2, 60, 1e-4, 24e-4, true);
     particles.phases = {"air", "water"};
     for (auto& phase : particles.phase) phase = 1 - phase;
-    const auto m = measure(particles, "contactAngle", "phase water;");
+    const auto m = measured(particles, "contactAngle", "phase water;");
     EXPECT_NEAR(m.value, 60, 0.5);
     EXPECT_EQ(m.reference, 180 - 77);
-    EXPECT_EQ(measure(particles, "contactAngle", "phase water; angle 61;").reference, 61);
+    EXPECT_EQ(measured(particles, "contactAngle", "phase water; angle 61;").reference, 61);
 }
 
 TEST(ContactAngle, saysWhyItCannotMeasure)
 {
-    const auto m = measure(cap(2, 60, 1, 2, true), "contactAngle", "");
+    const auto m = measured(cap(2, 60, 1, 2, true), "contactAngle", "");
     EXPECT_TRUE(std::isnan(m.value));
     EXPECT_EQ(m.note, "the surface of the drop does not rise far enough above the wall to be fitted");
 
     auto onCylinder = cap(3, 90, 1, 8, true);
     onCylinder.geometry.patches = {{std::make_shared<Cylinder>(Vector<3>{0, -20, 0}, Vector<3>{1, 0, 0}, 20, FluidSide::outside), 0}};
-    EXPECT_EQ(measure(onCylinder, "contactAngle", "").note,
+    EXPECT_EQ(measured(onCylinder, "contactAngle", "").note,
               "on a wall that is not equally curved all around a drop is no part of a sphere");
 }
 
@@ -181,7 +181,7 @@ TEST(CapAngle, isRecoveredFromTheMomentsOfCaps)
     for (const double degrees : {60.0, 90.0, 120.0})
         for (const char* by : {"height", "width"})
         {
-            const auto m = measure(cap(3, degrees, 1e-4, 16e-4, true), "capAngle", std::string("origin (3e-5 0 2e-5); by ") + by + ";");
+            const auto m = measured(cap(3, degrees, 1e-4, 16e-4, true), "capAngle", std::string("origin (3e-5 0 2e-5); by ") + by + ";");
             EXPECT_NEAR(m.value, degrees, 0.5) << by;
             EXPECT_EQ(m.reference, 77);
         }
@@ -192,14 +192,14 @@ TEST(CapAngle, isRecoveredFromTheMomentsOfCaps)
     onSphere.phases = {"water", "air"};
     onSphere.setPhase([&](Vector<3> x) { return mag(x) > solid && mag(x - Vector<3>{0, away, 0}) < R ? 0 : 1; });
     for (const char* by : {"height", "width"})
-        EXPECT_NEAR(measure(onSphere, "capAngle", std::string("origin (0 12 0); by ") + by + ";").value, 60, 1) << by;
+        EXPECT_NEAR(measured(onSphere, "capAngle", std::string("origin (0 12 0); by ") + by + ";").value, 60, 1) << by;
 }
 
 TEST(CapAngle, needsAPlaneOrTheOutsideOfASphere)
 {
     auto particles = cap(3, 60, 1, 8, true);
     particles.geometry.patches = {{std::make_shared<Cylinder>(Vector<3>{0, -20, 0}, Vector<3>{1, 0, 0}, 20, FluidSide::outside), 0}};
-    EXPECT_THROW(measure(particles, "capAngle", "by height;"), CaseError);
+    EXPECT_THROW(measured(particles, "capAngle", "by height;"), CaseError);
 }
 
 // A thin film near the top, h << a: h_0/sqrt(1 + 2 g h_0^2 t/(3 nu a)), to the square of the angle and the first power of h/a.
@@ -232,12 +232,12 @@ TEST(LaplaceJump, isTheDifferenceOfTheMeansDeepInsideAndFarOutside)
     const auto r = [](Vector<3> x) { return mag(x - Vector<3>{0.5, 0.5, 0}); };
     particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 0 : 1; });
     particles.setP([&](Vector<3> x) { return r(x) < 0.19 ? 5.5 : r(x) > 0.31 ? 1.5 : 1e9; });
-    const auto m = measure(particles, "laplaceJump", "radius 0.25;");
+    const auto m = measured(particles, "laplaceJump", "radius 0.25;");
     EXPECT_NEAR(m.value, 4, 1e-12);
     EXPECT_NEAR(m.reference, 4, 1e-12);
     EXPECT_GT(m.particles, 0u);
     // The radius from the drop's volume: the disc of lattice points has 1.4 % less area than the circle.
-    EXPECT_NEAR(measure(particles, "laplaceJump", "sigma 2;").reference, 8, 0.08);
+    EXPECT_NEAR(measured(particles, "laplaceJump", "sigma 2;").reference, 8, 0.08);
 }
 
 TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)
@@ -250,7 +250,7 @@ TEST(LaplaceJump, findsADropAcrossThePeriodicCorner)
     const auto r = [](Vector<3> x) { return mag(Vector<3>{x.x - std::round(x.x), x.y - std::round(x.y), x.z - std::round(x.z)}); };
     particles.setPhase([&](Vector<3> x) { return r(x) < 0.25 ? 0 : 1; });
     particles.setP([&](Vector<3> x) { return r(x) < 0.25 ? 8.0 : 0.0; });
-    const auto m = measure(particles, "laplaceJump", "radius 0.25;");
+    const auto m = measured(particles, "laplaceJump", "radius 0.25;");
     EXPECT_NEAR(m.value, 8, 1e-12);
     EXPECT_NEAR(m.reference, 8, 1e-12);
 }
@@ -278,12 +278,12 @@ TEST(LaplaceJump, ofABubbleIsThatOfItsInside)
             particles.setP([&](Vector<3> x) { return 2 + (r(x) < 0.25 ? jump : 0.0); });
             for (const char* entries : {"radius 0.25;", "radius 0.25; phase air;", "radius 0.25; phase water;"})
             {
-                const auto m = measure(particles, "laplaceJump", entries);
+                const auto m = measured(particles, "laplaceJump", entries);
                 EXPECT_NEAR(m.value, jump, 1e-12) << entries << dimension << periodic;
                 EXPECT_NEAR(m.reference, jump, 1e-12);
             }
             // The reference is that of the bubble's volume, to the staircase of five lattice points to a radius.
-            EXPECT_NEAR(measure(particles, "laplaceJump", "").reference, jump, 0.1 * jump);
+            EXPECT_NEAR(measured(particles, "laplaceJump", "").reference, jump, 0.1 * jump);
         }
 }
 
@@ -291,13 +291,13 @@ TEST(LaplaceJump, withoutGasThePressureOutsideIsZero)
 {
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.05);
     particles.setP([](Vector<3>) { return 3.0; });
-    EXPECT_NEAR(measure(particles, "laplaceJump", "sigma 1;").value, 3, 1e-12);
+    EXPECT_NEAR(measured(particles, "laplaceJump", "sigma 1;").value, 3, 1e-12);
 }
 
 TEST(LaplaceJump, ofADropThatIsTooSmallIsNoNumber)
 {
     Particles particles(2, {0, 0, 0}, {0.1, 0.1, 0}, 0.05);
-    const auto m = measure(particles, "laplaceJump", "sigma 1;");
+    const auto m = measured(particles, "laplaceJump", "sigma 1;");
     EXPECT_TRUE(std::isnan(m.value));
     EXPECT_EQ(m.note, "no particle of the drop lies deeper than the kernel's support");
 }
@@ -310,10 +310,10 @@ TEST(DragFactor, isStokesLawTurnedRound)
     particles.geometry.high.z = 1;
     particles.g = {0, -2, 0};
     particles.setU([](Vector<3>) { return Vector<3>{9, -0.04, 0}; });
-    const auto m = measure(particles, "dragFactor", "radius 0.1; solidFraction 0.343; lattice sc;");
+    const auto m = measured(particles, "dragFactor", "radius 0.1; solidFraction 0.343; lattice sc;");
     EXPECT_NEAR(m.value, 2 * 0.01 * 2000 / (9 * 0.343 * 1e-3 * 0.02), 1e-6);
     EXPECT_EQ(m.reference, 15.40);
-    EXPECT_EQ(measure(particles, "dragFactor", "radius 0.1; solidFraction 0.4; reference 20.5;").reference, 20.5);
+    EXPECT_EQ(measured(particles, "dragFactor", "radius 0.1; solidFraction 0.4; reference 20.5;").reference, 20.5);
 }
 
 TEST(DragFactor, knowsTheLatticesByPeriod)
@@ -322,7 +322,7 @@ TEST(DragFactor, knowsTheLatticesByPeriod)
     const auto reference = [&](const char* lattice, int spheres, double phi)
     {
         const double a = std::cbrt(3 * phi / (4 * pi * spheres));
-        return measure(particles, "dragFactor", "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";")
+        return measured(particles, "dragFactor", "period 1; lattice " + std::string(lattice) + "; radius " + std::to_string(a) + ";")
             .reference;
     };
     EXPECT_EQ(reference("sc", 1, 0.343), 15.40);
@@ -336,7 +336,7 @@ TEST(DragFactor, ofCylindersIsTheForcePerLength)
     Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.1);
     particles.g = {2, 0, 0};
     particles.setU([](Vector<3>) { return Vector<3>{0.02, 0, 0}; });
-    const auto m = measure(particles, "dragFactor", "radius 0.1; solidFraction 0.2; lattice square;");
+    const auto m = measured(particles, "dragFactor", "radius 0.1; solidFraction 0.2; lattice square;");
     EXPECT_NEAR(m.value, 2000 * pi * 0.01 / 0.2 / (1e-3 * 0.02), 1e-5);
     EXPECT_EQ(m.reference, 51.53);
 }
@@ -543,8 +543,8 @@ TEST(CapillaryRise, isTheDifferenceOfTwoLevels)
     particles.setPhase([](Vector<3> x) { return x.y < (x.x < 0.2 ? 0.6 : x.x > 0.4 ? 0.4 : 0.9) ? 0 : 1; });
     particles.time = 1e5;
     const auto m =
-        measure(particles, "capillaryRise",
-                "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
+        measured(particles, "capillaryRise",
+                 "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
     EXPECT_NEAR(m.value, 0.2, 1e-12);
     // (2/w - 1/W) gamma cos(theta)/(Delta rho g); what swings has died by exp(-t 6 nu/w^2) = 3e-7.
     EXPECT_NEAR(m.reference, (1 / 0.2 - 0.5 / 0.6) / 0.999, 1e-4);
@@ -559,14 +559,14 @@ TEST(CapillaryRise, needsTensionAndTheDenserPhase)
     particles.time = 1;
     const std::string boxes =
         "slit { min (0 0 0); max (0.2 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;";
-    EXPECT_THROW(measure(particles, "capillaryRise", boxes), CaseError);
+    EXPECT_THROW(measured(particles, "capillaryRise", boxes), CaseError);
     particles.surfaceTension = 1;
-    EXPECT_GT(measure(particles, "capillaryRise", boxes).reference, 0);
-    EXPECT_THROW(measure(particles, "capillaryRise", boxes + "phase air;"), CaseError);
+    EXPECT_GT(measured(particles, "capillaryRise", boxes).reference, 0);
+    EXPECT_THROW(measured(particles, "capillaryRise", boxes + "phase air;"), CaseError);
     // A slit of a nanometre: 10^14 steps, which wrapped round to a reference of 0.
     const auto narrow =
-        measure(particles, "capillaryRise",
-                "slit { min (0 0 0); max (1e-9 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
+        measured(particles, "capillaryRise",
+                 "slit { min (0 0 0); max (1e-9 1 0); } reservoir { min (0.4 0 0); max (1 1 0); } foot 0.1; level 0.3; contactAngle 60;");
     EXPECT_TRUE(std::isnan(narrow.reference));
     EXPECT_EQ(narrow.note, "Bosanquet's equation is too stiff to be followed to this time");
 }
@@ -575,7 +575,7 @@ TEST(WallDropTime, saysWhereNoParticlesAre)
 {
     Particles particles(2, {0, 0, 0}, {0.3, 1, 0}, 0.1);
     particles.setP([](Vector<3>) { return 1; });
-    const auto m = measure(particles, "wallDropTime", "field p; start 2; share 0.5; time 0.7; origin (0 5 0);");
+    const auto m = measured(particles, "wallDropTime", "field p; start 2; share 0.5; time 0.7; origin (0 5 0);");
     EXPECT_TRUE(std::isnan(m.value));
     EXPECT_EQ(m.note, "of the three rows of particles beside the wall one is empty");
 }

@@ -11,7 +11,7 @@ using namespace sph;
 
 namespace
 {
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 }
 
 TEST(Bessel, agreesWithTheStandardLibraryAndWithTheRecurrence)

@@ -60,7 +60,7 @@ TEST(WallTension, MarginalAtTheWallHasTheHandValue)
 
 // S_w = 2 gamma w_1(d) (I - n n) of each wall within H, with the tension of that wall and of the particle's phase: along the walls
 // alone, and the sum of both where both are near. Between H and the images' reach there is none. Round-off.
-template<int dim> void planeWallsAddUp()
+template<int dim> void tensionsAddUp()
 {
     const auto points = atHeights<dim>({0.02, 0.1, 0.25, 0.3, 0.45});
     Channel<dim> channel(points, Stress{}, 1e9);
@@ -86,8 +86,8 @@ template<int dim> void planeWallsAddUp()
     EXPECT_GT(nearBoth, 0);
     EXPECT_GT(nearOne, 0);
 }
-TEST(WallTension, OfPlaneWallsAddsUpIn2D) { planeWallsAddUp<2>(); }
-TEST(WallTension, OfPlaneWallsAddsUpIn3D) { planeWallsAddUp<3>(); }
+TEST(WallTension, OfPlaneWallsAddsUpIn2D) { tensionsAddUp<2>(); }
+TEST(WallTension, OfPlaneWallsAddsUpIn3D) { tensionsAddUp<3>(); }
 
 }
 }
