@@ -16,7 +16,7 @@ constexpr double wholeBelow = 0.9, noneBelow = 0.5;
 /// Rivals within so many spacings of one another count as one.
 constexpr double finest = 0.1;
 /// Depths down to which facets have no rivals are stored in layers of so many spacings,
-constexpr double layer = 0.25;
+constexpr double layerThickness = 0.25;
 constexpr int mostLayers = 254;
 /// and layers deeper than so many supports are never needed.
 constexpr double deepest = 1.5;
@@ -112,7 +112,7 @@ double FacetBody::safeDepth(int facet) const
 {
     const int n = facets_[std::size_t(facet)].grain;
     if (n < 0) return 0;
-    const double thickness = layer * scale_.spacing;
+    const double thickness = layerThickness * scale_.spacing;
     auto& known = safeLayers_[std::size_t(n)]; // and one, so that 0 is not found yet
     int layers = known.load(std::memory_order_relaxed) - 1;
     if (layers < 0)

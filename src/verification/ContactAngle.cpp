@@ -22,10 +22,11 @@ const Scalar above{"above", Unit{units::none, "spacings"}, 2.5, nonNegative, "he
 namespace
 {
 
+using std::numbers::pi;
+
 /// Evenly spread over the circle, or over the sphere by the golden angle.
 std::vector<Vector<3>> directions(int dimension)
 {
-    constexpr double pi = std::numbers::pi;
     const int n = dimension == 2 ? 360 : 1000;
     std::vector<Vector<3>> result;
     for (int k = 0; k < n; ++k)
