@@ -55,11 +55,11 @@ const FreeName region{"<region>", "dictionary",
 EntryList triSurfaceEntries(const EntryList& ofRegion)
 {
     using namespace entry;
-    return {file,
-            fluid,
-            scale,
-            {rotation, {axis, angle}},
-            translation,
+    return {surfaceFile,
+            surfaceFluid,
+            surfaceScale,
+            {rotation, {surfaceAxis, angle}},
+            surfaceTranslation,
             weld,
             closeHoles,
             removeSelfIntersections,

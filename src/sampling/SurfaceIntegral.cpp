@@ -25,7 +25,7 @@ const Column area{"area", "m^2", "of the wall, without what lies in another soli
     integral{"integral", "of the expression, m^2", "of f over the area"},
     forceOnSurface{"force", "N", "-int f n dA, that of a pressure f on the wall; in 2-D [N/m]"},
     torque{"torque", "N m", "-int (x - origin) x f n dA; in 2-D [N]"};
-const std::vector<Column> ofIntegral{area, integral, force, torque};
+const std::vector<Column> ofIntegral{area, integral, forceOnSurface, torque};
 }
 
 namespace

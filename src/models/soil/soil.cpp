@@ -4,6 +4,7 @@
 #include "models/soil/Excavation.hpp"
 #include "models/soil/Hourglass.hpp"
 #include "models/soil/OuterWater.hpp"
+#include "models/soil/Seepage.hpp"
 #include "models/soil/SoilFields.hpp"
 #include "models/soil/StressUpdate.hpp"
 #include "models/soil/WallFriction.hpp"
