@@ -197,10 +197,10 @@ std::optional<double> CsvReference::operator()(const Vector<3>& x, double t) con
 
 std::vector<Vector<3>> CsvReference::rows() const
 {
-    std::set<double> coordinates;
-    for (const auto& profile : profiles_) coordinates.insert(profile.coordinate.begin(), profile.coordinate.end());
+    std::set<double> places;
+    for (const auto& profile : profiles_) places.insert(profile.coordinate.begin(), profile.coordinate.end());
     std::vector<Vector<3>> points;
-    for (const double c : coordinates) points.push_back(origin_ + c * axis_);
+    for (const double c : places) points.push_back(origin_ + c * axis_);
     return points;
 }
 
