@@ -17,10 +17,10 @@ namespace
 
 using std::numbers::pi;
 
-Measurement measured(const Particles& particles, const std::string& name, const std::string& parameters)
+Measurement measured(const Particles& particles, const std::string& name, const std::string& entries)
 {
     auto diagnostics = std::make_shared<Diagnostics>();
-    const auto d = Dictionary::parse(parameters, "system/controlDict", diagnostics);
+    const auto d = Dictionary::parse(entries, "system/controlDict", diagnostics);
     const auto m = readMeasure(name, d, particles.geometry, particles.phases, ".");
     d.reportUnused();
     EXPECT_EQ(errorsOf(*diagnostics), "");
