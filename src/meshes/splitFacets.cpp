@@ -30,7 +30,7 @@ using Chains = std::map<EdgeKey, std::vector<int>>;
 
 /// The parts of a facet: Delaunay's triangulation in its plane of the points on its edges and within it, the segments kept. Points on an edge
 /// are taken on the straight line, those within at the foot of their normal.
-class Cut
+class FacetParts
 {
     FacetSoup& s_;
     const std::array<int, 3> corners_;
@@ -67,7 +67,7 @@ class Cut
     }
 
 public:
-    Cut(FacetSoup& s, int facet) : s_(s), corners_(s.facets[std::size_t(facet)])
+    FacetParts(FacetSoup& s, int facet) : s_(s), corners_(s.facets[std::size_t(facet)])
     {
         const auto &a = s.points[corners_[0]], &b = s.points[corners_[1]], &c = s.points[corners_[2]];
         origin_ = a;
@@ -152,10 +152,10 @@ std::size_t split(FacetSoup& s, const Meetings& m)
             keptSource.push_back(s.source[f]);
             continue;
         }
-        Cut cut(s, int(f));
-        cut.bound(chains);
-        cut.fill(within, of(m.intersected, int(f)));
-        cut.append(parts);
+        FacetParts facetParts(s, int(f));
+        facetParts.bound(chains);
+        facetParts.fill(within, of(m.intersected, int(f)));
+        facetParts.append(parts);
         partSource.resize(parts.size(), s.source[f]);
     }
     const auto unchanged = kept.size();

@@ -42,14 +42,14 @@ Settings settingsOfPhases(const std::string& phaseProperties, const std::string&
     return settingsOf(files);
 }
 
-const std::string twoPhases =
+const std::string waterAndAir =
     "phases (water air);\nwater { rho 1000; mu 0; soundSpeed 10; }\nair { rho 1; mu 0; soundSpeed 10; }\nsigma ( (water air) 3 );\n";
 }
 
 TEST(EnergyBalance, CountsTheAreaOfPlaneInterfaces)
 {
     // Two interfaces of length 1 between strips. The sum over pairs on a lattice of three spacings to the support is 5.6 % below the integral.
-    const auto settings = settingsOfPhases(twoPhases, "");
+    const auto settings = settingsOfPhases(waterAndAir, "");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 0, 0}, true), {});
     EXPECT_NEAR(simulation->energy().held(), 2 * gamma, 0.06 * 2 * gamma);
@@ -58,7 +58,7 @@ TEST(EnergyBalance, CountsTheAreaOfPlaneInterfaces)
 
 TEST(EnergyBalance, KnowsNoInterfaceWithoutTension)
 {
-    const auto settings = settingsOfPhases(twoPhases, "surfaceTension none; pressureGradient densityWeighted;");
+    const auto settings = settingsOfPhases(waterAndAir, "surfaceTension none; pressureGradient densityWeighted;");
     const auto g = periodicSquare();
     const auto simulation = makeSimulation(settings, g, lattice({0, 2, 0}, true), {});
     EXPECT_NEAR(simulation->energy().held(), 0.5 * (500 + 0.5) * 4, 1e-9);
