@@ -1,7 +1,7 @@
 /// Mistakes in dictionaries: each ends with exit code 1 and the place in the file, before a particle is moved.
 #include "refusal.hpp"
 
-namespace sph::test
+namespace sph::test::dictionariesTest
 {
 namespace
 {

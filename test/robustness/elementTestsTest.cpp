@@ -2,7 +2,7 @@
 #include "TestCase.hpp"
 #include <gtest/gtest.h>
 
-namespace sph::test
+namespace sph::test::elementTestsTest
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <regex>
 
-namespace sph::test
+namespace sph::test::extremeScenesTest
 {
 namespace
 {

@@ -3,7 +3,7 @@
 #include <array>
 #include <unistd.h>
 
-namespace sph::test
+namespace sph::test::fieldFilesTest
 {
 namespace
 {

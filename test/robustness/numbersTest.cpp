@@ -3,7 +3,7 @@
 #include "refusal.hpp"
 #include <fmt/format.h>
 
-namespace sph::test
+namespace sph::test::numbersTest
 {
 namespace
 {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
-namespace sph::test
+namespace sph::test::openingsTest
 {
 namespace
 {

@@ -10,7 +10,7 @@
 #include <regex>
 #include <sstream>
 
-namespace sph::test
+namespace sph::test::solidsTest
 {
 namespace
 {

@@ -4,7 +4,7 @@
 #include <regex>
 #include <sstream>
 
-namespace sph::test
+namespace sph::test::suspensionsTest
 {
 namespace
 {

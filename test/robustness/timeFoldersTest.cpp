@@ -3,7 +3,7 @@
 #include "fuzz/Mutator.hpp"
 #include "refusal.hpp"
 
-namespace sph::test
+namespace sph::test::timeFoldersTest
 {
 namespace
 {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace sph::test
+namespace sph::test::unitsTest
 {
 namespace
 {

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace sph::test
+namespace sph::test::wallsAndRunsTest
 {
 namespace
 {

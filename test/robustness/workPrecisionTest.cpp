@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace sph::test
+namespace sph::test::workPrecisionTest
 {
 namespace
 {

@@ -81,7 +81,7 @@ struct FreeSurfaceCurvature
 ///
 ///   kappa_i += |e|^2 w [(n . n_w + dx K_e/2)/(h + dx/2) - K_e],    e = P n_w,    K_e = e K e/|e|^2,    h = d - z n . n_w
 ///
-/// n_w normal of the nearest wall, d [m] distance from it, h [m] height of the foot; w is 1 up to h = dx and 0 from 3/2 dx on. A fit over one support does not see how a surface turns between its wall and the foot of the
+/// n_w normal of the nearest wall that has lines of contact (NearestWall.hpp), d [m] distance from it, h [m] height of the foot; w is 1 up to h = dx and 0 from 3/2 dx on. A fit over one support does not see how a surface turns between its wall and the foot of the
 /// lowest row; what it gives then adds up to more than the surface turns, and drove drops along their planes (README.md of models/gas). |e| is the sine of the angle between surface and wall: a film has none.
 struct FreeSurfaceCurvatureAtWalls : FreeSurfaceCurvature
 {

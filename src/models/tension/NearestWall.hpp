@@ -4,6 +4,7 @@
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "plan/Coefficients.hpp"
+#include <vector>
 
 namespace sph
 {
@@ -65,12 +66,24 @@ struct WallNextTo : NextToWall
     template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {double(q.wall)}}; }
 };
 
-/// How far the nearest wall is, for the free surface of a liquid alone (FreeSurfaceCurvature.hpp).
+/// Of each wall, whether a free surface that meets it ends in a line of contact: not at a plane of symmetry, a wall that slips and has no contact angle, behind which the surface goes on.
+struct LinesOfContact
+{
+    std::vector<char> at;
+};
+
+/// How far the nearest wall is that has lines of contact, for the free surface of a liquid alone (FreeSurfaceCurvature.hpp).
 struct DistanceNextTo : NextToWall
 {
     static constexpr auto name = "distanceNextTo";
     using Provides = Fields<NearestWallNormal, WallDistance>;
-    using NextToWall::NextToWall;
+    const char* hasLines; ///< of each wall
+
+    explicit DistanceNextTo(const Coefficients& c) : NextToWall(c), hasLines(c.of<LinesOfContact>().at.data()) {}
+    template<class S> S operator()(const S& soFar, const auto& i, const auto& foot) const
+    {
+        return hasLines[foot.wall] ? NextToWall::operator()(soFar, i, foot) : soFar;
+    }
     template<int dim> auto finish(const SoFar<dim>& q) const { return Values<Provides, dim>{{q.n_w}, {q.nearest}}; }
 };
 

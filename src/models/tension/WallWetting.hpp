@@ -6,8 +6,8 @@
 /// Phi/N integrates to 1 over d: it is Young's force. At rest kappa + k_w is the same all over the surface, which turns by 90 degrees - theta within R of the wall, where it meets its mirror image. WallPotential is the same
 /// energy, with a pressure gamma cos(theta) Phi in all of the liquid at the wall more, which presses particles onto their own images there: lines of contact then hardly move (README.md of models/gas).
 ///
-/// R: a surface that turns within H does so by curvatures that sums over H do not resolve. With the curvature of the row beside the wall as FreeSurfaceCurvatureAtWalls has it, half balls of 12 spacings to the radius (support 3) come to 30.9, 60.2,
-/// 90.1 and 118.0 degrees for 30, 60, 90 and 120 with R = 1.4 H; with 3/2 H to 33.4, 60.1, 90.1 and 118.5.
+/// R: a surface that turns within H does so by curvatures that sums over H do not resolve. With the curvature of the row beside the wall as FreeSurfaceCurvatureAtWalls has it, half balls of 12 spacings to the radius (support 3) come to 30.7, 59.5,
+/// 90.1 and 118.2 degrees for 30, 60, 90 and 120 with R = 1.4 H; with 3/2 H and the row beside planes of symmetry as beside walls to 33.4, 60.1, 90.1 and 118.5.
 ///
 /// N: integral of Phi over the fluid's side of the wall (wallLayer.hpp), times what the sum over rows of particles at d_0, d_0 + dx, ... has more than the integral; d_0 is the distance at
 /// which walls hold particles (WallContact.hpp), where the suction at a line of contact draws them.

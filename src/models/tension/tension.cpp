@@ -230,11 +230,14 @@ void readFreeSurface(const Reading& reading)
     settings.define<LiquidNormals>("liquidNormals", [](const Coefficients&) { return LiquidNormals{}; });
     const double beta = depthBias(settings.resolution.kernel, settings.coefficients.dimension),
                  closest = settings.facts.get<WallClearance>().spacings * settings.coefficients.spacing;
-    if (reading.geometry.walls.empty())
+    LinesOfContact lines;
+    for (const auto& wall : reading.geometry.walls) lines.at.push_back(wall.wets || !wall.slips);
+    if (std::ranges::count(lines.at, true) == 0)
         settings.define<FreeSurfaceCurvature>("freeSurfaceCurvature",
                                               [beta](const Coefficients& c) { return FreeSurfaceCurvature(c, beta); });
     else
     {
+        settings.coefficients.set(lines);
         settings.define<DistanceNextTo>("distanceNextTo", [](const Coefficients& c) { return DistanceNextTo(c); });
         reading.select("distanceNextTo");
         settings.define<FreeSurfaceCurvatureAtWalls>("freeSurfaceCurvature", [beta, closest](const Coefficients& c)

@@ -270,6 +270,33 @@ TEST(FreeSurfaceCurvatureAtWalls, IsThatOfTheStripFromTheWallInTheRowBesideIt)
     }
 }
 
+// A plane of symmetry, which a surface goes on behind, is passed over even where it is nearest.
+TEST(DistanceNextTo, IsThatOfTheNearestWallWithLinesOfContact)
+{
+    struct Foot
+    {
+        double distance;
+        Vector<3> normal;
+        int wall;
+    };
+    auto c = numbers(3, 3);
+    c.set(LinesOfContact{{false, true, true}});
+    const DistanceNextTo law(c);
+    const auto after = [&](std::initializer_list<Foot> feet)
+    {
+        DistanceNextTo::SoFar<3> nearest;
+        for (const auto& foot : feet) nearest = law(nearest, 0, foot);
+        return nearest;
+    };
+    const Foot symmetry{0.2, {1, 0, 0}, 0}, floor{0.7, {0, 0, 1}, 1}, side{0.5, {0, 1, 0}, 2};
+    EXPECT_FALSE(after({symmetry}).found);
+    for (const auto& feet : {std::initializer_list<Foot>{symmetry, floor, side}, std::initializer_list<Foot>{side, symmetry, floor}})
+    {
+        EXPECT_EQ(after(feet).wall, 2);
+        EXPECT_EQ(after(feet).nearest, 0.5);
+    }
+}
+
 // A uniform pressure -gamma kappa is balanced particle by particle where kappa is uniform, however the particles lie.
 TEST(FreeSurfaceForce, BalancesTheJumpOfThePressureExactly)
 {
@@ -526,6 +553,24 @@ double angleByHeight(const AnySimulation& simulation, double area)
     }
     return low * 180 / std::numbers::pi;
 }
+}
+
+// A wall that slips and has no angle is a plane of symmetry, for which a scene has no pass over the nearest wall.
+TEST(LiquidAlone, KnowsPlanesOfSymmetry)
+{
+    const auto hasLines = [](const std::string& entries)
+    {
+        auto files = discAlone();
+        files["constant/geometry"] =
+            "dimension 2; domain { min (0 0 0); max (1 1 0); }\nwalls { floor { type plane; point (0 0 0); normal (0 1 0); " + entries +
+            " } }\n";
+        const CaseScene scene(files);
+        EXPECT_EQ(scene.errors, "");
+        return scene.settings.coefficients.has<LinesOfContact>();
+    };
+    EXPECT_FALSE(hasLines("slip yes;"));
+    EXPECT_TRUE(hasLines(""));
+    EXPECT_TRUE(hasLines("slip yes; contactAngle 90;"));
 }
 
 // Young's angle, of a half disc of 12 spacings to the radius that spreads and draws together: 4 degrees, 8 for 120, which is at 112 to 114 (a half ball at 118: tutorials/verification/contactAngle3D). At 45, which a film of few spacings would need, it is at 35.

@@ -2,8 +2,8 @@
 #include "shapes.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::shapesTest
+{
 
 namespace
 {
@@ -183,4 +183,6 @@ TEST(Triangles, coverTheSurfaceAndFaceTheFluid)
     EXPECT_NEAR(area(triangulate(SolidBox({-1, -1, -1}, {1, 1, 1}), around, 0.05)), 24, 1e-10);
     EXPECT_NEAR(area(triangulate(Plane({}, {0, 0, 1}), around, 0.05)), 16, 1e-10);
     EXPECT_NEAR(area(triangulate(Cylinder({}, {0, 0, 1}, 1, inside), around, 0.05)), 8 * pi, 0.003 * 8 * pi);
+}
+
 }

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::solidUnionTest
+{
 
 namespace
 {
@@ -126,4 +126,6 @@ TEST(SolidUnion, FadesBeyondAnObtuseCorner)
         last = now;
     }
     EXPECT_LT(last, 0.05);
+}
+
 }

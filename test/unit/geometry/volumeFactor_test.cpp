@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::volumeFactorTest
+{
 
 namespace
 {
@@ -119,4 +119,6 @@ TEST(VolumeFactor, exceedsOneOnlyWhereTheCentreOfCurvatureIsOnTheFluidSide)
     EXPECT_EQ(volumeFactor(Plane({}, {1, 0, 0}).foot(x)), 1);
     // No image beyond the centre of curvature.
     EXPECT_LE(volumeFactor(Sphere({}, 1, outside).foot({2, 0, 0})), 0);
+}
+
 }

@@ -1,8 +1,8 @@
 #include "Prepared.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::badMeshesTest
+{
 
 namespace
 {
@@ -133,4 +133,6 @@ TEST(BadMesh, leavesNoOldPicture)
     EXPECT_TRUE(
         prepareMesh(p.scene.folder(), p.mesh.source, {.low = {-2, -2, -2}, .high = {2, 2, 2}, .spacing = 0.01, .H = 0.026}, none).usable);
     EXPECT_FALSE(p.showsDefects());
+}
+
 }

@@ -5,8 +5,8 @@
 #include "geometry/Shape.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::farCoordinatesTest
+{
 
 namespace
 {
@@ -67,4 +67,6 @@ TEST(FarCoordinates, SinglePrecisionIsToldOf)
     EXPECT_EQ(moved.allNotes(), "");
     EXPECT_EQ(boundingBox(moved.mesh).high, (Vector<3>{500010, 5200010, 310}));
     EXPECT_EQ(Imported("a.stl", binaryStl(box())).allNotes(), "");
+}
+
 }

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::importMeshTest
+{
 
 namespace
 {
@@ -134,4 +134,6 @@ TEST(ImportMesh, knowsTheRegionsOfTheDictionary)
     const Prepared p("a.stl", solid(box(), "shell"), "regions { shel {} }");
     EXPECT_TRUE(has(p.errors, "has no region \"shel\". Did you mean \"shell\"?")) << p.errors;
     EXPECT_EQ(Prepared("a.stl", solid(box(), "shell"), "regions { shell {} }").errors, "");
+}
+
 }

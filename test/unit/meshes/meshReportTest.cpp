@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::meshReportTest
+{
 
 // The box as OpenFOAM's surfaceCheck tells of it: the same words and numbers; and what the kernel makes of it.
 TEST(MeshReport, tellsWhatSurfaceCheckTells)
@@ -143,4 +143,6 @@ TEST(MeshReport, warnsOfGroovesThatDoNotFill)
             << p.warnings;
         EXPECT_TRUE(has(meshReport(p.mesh, 0.026, true), "Grooves of less than 20 degrees: 1"));
     }
+}
+
 }

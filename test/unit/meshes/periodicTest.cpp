@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::periodicTest
+{
 
 namespace
 {
@@ -117,4 +117,6 @@ TEST(PeriodicMesh, WhatIsNoCutStays)
     const auto slab = preparedPeriodically(box({-2, -2, 0}, {2, 2, 1}), everywhere);
     EXPECT_TRUE(has(slab.errors, "one part of the mesh goes on through the periodic faces of x and y")) << slab.errors;
     EXPECT_TRUE(has(preparedPeriodically(openAt(box({1.5, 0, 0}, {2, 1, 1}), 2), alongX).errors, "the surface is open"));
+}
+
 }

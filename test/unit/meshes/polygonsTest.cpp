@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::polygonsTest
+{
 
 namespace
 {
@@ -192,4 +192,6 @@ TEST(Polygons, ThoseThatCrossThemselvesAreRefused)
     EXPECT_TRUE(has(refusal("a.obj", back), "runs back along itself and bounds nothing"));
     const std::string behind = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 4 4 1\nv 0 4 0\nf 1 2 3 4 5\n";
     EXPECT_TRUE(has(refusal("a.obj", behind), "has two corners behind one another"));
+}
+
 }

@@ -4,8 +4,8 @@
 #include "gltfTexts.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::readGltfTest
+{
 using namespace std::string_literals;
 
 namespace
@@ -201,4 +201,6 @@ TEST(ReadGltf, Refusals)
     far = brick;
     far.points[2].y = std::numeric_limits<double>::quiet_NaN();
     expectRefusal(embedded<float, std::uint16_t>(far, 5126, 5123), "accessors[0]: element 2 is no finite number");
+}
+
 }

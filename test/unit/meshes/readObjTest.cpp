@@ -2,8 +2,8 @@
 #include "Imported.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::readObjTest
+{
 
 namespace
 {
@@ -111,4 +111,6 @@ TEST(ReadObj, Refusals)
     expectRefusal("# nothing\n", "it has no vertices: this is no OBJ file");
     expectRefusal(vertices(), "it has no facets");
     expectRefusal(std::string("\xFF\xFEv\0", 4), "it is text in UTF-16: save it in UTF-8 or ASCII");
+}
+
 }

@@ -2,8 +2,8 @@
 #include "Imported.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::readOffTest
+{
 
 namespace
 {
@@ -58,4 +58,6 @@ TEST(ReadOff, Refusals)
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1"), "line 11: facet 0 of 6 has the vertex \"\", and there are 8");
     expectRefusal(replaced(text, "4 3 2 1 0", "2 3 2"), "line 11: facet 0 of 6 has 2 corners");
     expectRefusal(text.substr(0, 20), "line 4: expected three coordinates, and the line ends");
+}
+
 }

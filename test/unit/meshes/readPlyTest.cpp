@@ -2,8 +2,8 @@
 #include "Imported.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::readPlyTest
+{
 
 namespace
 {
@@ -133,4 +133,6 @@ TEST(ReadPly, Refusals)
     expectRefusal(replaced(text, "4 3 2 1 0", "4 3 2 1 0 0"), "line 18: face 0 of 6 has more numbers than properties");
     expectRefusal(text.substr(0, text.size() - 10), "line 22: face 5 of 6 is not there: it is truncated");
     expectRefusal(bytes.substr(0, bytes.size() - 1), "byte 463: face 5 of 6 is not whole: it is truncated or damaged");
+}
+
 }

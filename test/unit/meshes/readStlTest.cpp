@@ -3,8 +3,8 @@
 #include "Imported.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::readStlTest
+{
 
 namespace
 {
@@ -112,4 +112,6 @@ TEST(ReadStl, Refusals)
     auto damaged = bytes;
     damaged.replace(84 + 50 + 12 + 4, 4, "\xFF\xFF\xFF\xFF");
     expectRefusal(damaged, "byte 150: facet 1 has a coordinate that is no finite number");
+}
+
 }

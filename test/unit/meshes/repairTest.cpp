@@ -3,8 +3,8 @@
 #include <numbers>
 #include <random>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::repairTest
+{
 
 namespace
 {
@@ -208,4 +208,6 @@ TEST(Repair, remeshesToTheEdgeLength)
     ASSERT_EQ(round.errors, "");
     EXPECT_NEAR(round.mesh.prepared.volume / ballVolume, 1, 3 * sqr(4 * edge / 3) / 8);
     EXPECT_LT(round.mesh.prepared.triangles, 3000u);
+}
+
 }

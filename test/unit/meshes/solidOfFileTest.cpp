@@ -5,8 +5,8 @@
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::solidOfFileTest
+{
 
 namespace
 {
@@ -86,4 +86,6 @@ TEST(SolidOfFile, knowsBodiesThatShareAFace)
     for (const double z : {0.5, 0.999, 1., 1.001, 1.5}) EXPECT_TRUE(solid.contains({0.4, 0.3, z})) << z;
     EXPECT_FALSE(solid.contains({0.4, 0.3, 2.001}));
     EXPECT_FALSE(solid.contains({1.001, 0.3, 1}));
+}
+
 }

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::speedTest
+{
 
 // A million facets are prepared within 60 s on one core (src/meshes/README.md: 6 to 15 s); a third of them within 20 s.
 TEST(MeshSpeed, preparesManyFacets)
@@ -36,4 +36,6 @@ TEST(MeshSpeed, readsAMillionFacets)
     const auto mesh = importMesh(folder.folder() / "torus.stl", notes);
     EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 3);
     EXPECT_EQ(mesh.triangles.size(), 1000000u);
+}
+
 }

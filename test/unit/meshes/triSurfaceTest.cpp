@@ -3,8 +3,8 @@
 #include "temporaryCase.hpp"
 #include <gtest/gtest.h>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::triSurfaceTest
+{
 
 // What is declared of a mesh is what is read of it.
 TEST(TriSurface, readsWhatItDeclares)
@@ -28,4 +28,6 @@ TEST(TriSurface, saysWhatIsWrong)
           "constant/geometry:5: ", "\"angle\"", "constant/geometry:6: \"tolerance\" must be positive, found 0",
           "constant/geometry:7: region \"lid\" must be a dictionary: lid { contactAngle 30; }"})
         EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+}
+
 }

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::uniteTest
+{
 
 namespace
 {
@@ -285,4 +285,6 @@ TEST(Unite, refusesALoss)
     {
         EXPECT_TRUE(has(e.what(), "0.5 m of its 1 m along x\n    0.5 m3 of the 1 +- 0.001 m3 that it winds around")) << e.what();
     }
+}
+
 }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace sph;
-using namespace sph::test;
+namespace sph::test::volumeTest
+{
 
 namespace
 {
@@ -155,4 +155,6 @@ TEST(Volume, mistakes)
             {errorOf(header(8, "ElementSpacing = 100 100 100\n") + cube, "volume { label 2; }"),
              "the mesh is 800 m long, 200 x the domain ("}})
         EXPECT_TRUE(has(error, what)) << what << "\nin\n" << error;
+}
+
 }

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <vector>
 
-namespace sph::test
+namespace sph::test::openSceneTest
 {
 namespace
 {

@@ -6,7 +6,7 @@
 #include "solver/models.hpp"
 #include <gtest/gtest.h>
 
-namespace sph::test
+namespace sph::test::skinTest
 {
 namespace
 {

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-namespace sph::test
+namespace sph::test::slipTest
 {
 namespace
 {
