@@ -19,6 +19,8 @@ namespace
 
 constexpr int secondsToStart = 30;
 constexpr int notInstalled = 127; // as the shell has it
+/// Above those that other programs look at: mpirun asks each display from 0 to 9 for its graphics cards, and is ended by X where a display goes meanwhile.
+constexpr int firstNumber = 100, numbers = 30000;
 
 class Descriptor
 {
@@ -37,7 +39,7 @@ public:
     operator int() const { return fd_; }
 };
 
-/// The child: becomes Xvfb, which writes its display number to `number` when it is ready.
+/// The child: becomes Xvfb of a number that no other process takes, which it writes to `number` when it is ready.
 [[noreturn]] void becomeServer(int number, int messages, pid_t parent)
 {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -45,8 +47,9 @@ public:
     dup2(messages, STDOUT_FILENO);
     dup2(messages, STDERR_FILENO);
     fcntl(number, F_SETFD, 0);
-    const auto descriptor = std::to_string(number);
-    execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp", "-noreset", nullptr);
+    const auto descriptor = std::to_string(number), display = ":" + std::to_string(firstNumber + getpid() % numbers);
+    execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
+           "-noreset", nullptr);
     _exit(errno == ENOENT ? notInstalled : 1);
 }
 
