@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/mman.h>
@@ -39,7 +40,15 @@ public:
     operator int() const { return fd_; }
 };
 
-/// The child: becomes Xvfb of a number that no other process takes, which it writes to `number` when it is ready.
+/// The first number that no server has, from one that differs from process to process, so that two that start at once take two.
+int freeNumber()
+{
+    int n = firstNumber + getpid() % numbers;
+    while (std::filesystem::exists("/tmp/.X11-unix/X" + std::to_string(n))) ++n;
+    return n;
+}
+
+/// The child: becomes Xvfb, which writes its display number to `number` when it is ready.
 [[noreturn]] void becomeServer(int number, int messages, pid_t parent)
 {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -47,7 +56,7 @@ public:
     dup2(messages, STDOUT_FILENO);
     dup2(messages, STDERR_FILENO);
     fcntl(number, F_SETFD, 0);
-    const auto descriptor = std::to_string(number), display = ":" + std::to_string(firstNumber + getpid() % numbers);
+    const auto descriptor = std::to_string(number), display = ":" + std::to_string(freeNumber());
     execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
            "-noreset", nullptr);
     _exit(errno == ENOENT ? notInstalled : 1);

@@ -6,7 +6,7 @@
 namespace sph
 {
 
-/// While it lives, DISPLAY names a display: the one that is set already, or an Xvfb of its own on a number from 100 on, which ends with
+/// While it lives, DISPLAY names a display: the one that is set already, or an Xvfb of its own on a free number from 100 on, which ends with
 /// this object or, whatever happens, with the process. Throws CaseError where Xvfb is not installed or does not start.
 /// Make it in the main thread and before any window; one at a time.
 class VirtualDisplay
