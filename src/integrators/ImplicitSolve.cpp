@@ -150,7 +150,8 @@ template<int dim> std::vector<Stage<dim>> ImplicitSolve<dim>::stages(JoinPoint p
 {
     if (place != JoinPoint::solve) return {};
     const std::string equation =
-        withPressure_ ? "(1 - theta dt L - theta^2 dt^2 K) dv = dt a + what the last step has left" : "(1 - theta dt L) dv = dt a";
+        fmt::format("(1{}{}) dv = dt a{}", viscous_ ? " - theta dt L" : "", withPressure_ ? " - theta^2 dt^2 K" : "",
+                    withPressure_ ? " + what the last step has left" : "");
     Stage<dim> stage{"solve",
                      equation + ", conjugate gradients",
                      [this](Particles<dim>& p, const Substep& s)

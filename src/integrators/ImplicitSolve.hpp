@@ -8,6 +8,9 @@
 /// theta 1 is Euler's implicit step: of first order, and it damps what it does not resolve. theta 1/2 is that of Crank and Nicolson: of
 /// second order, and it lets what it does not resolve ring. K <= 0, of the energy of Hu and Adams, is that of PressureResponse.hpp.
 ///
+/// Where surface tension allows no longer steps than viscosity does, an implicit step of first order takes viscosity as it is at its start (models/viscosity):
+/// it is a part of a alone, and L is left out of all that follows.
+///
 /// (1 - theta dt L - theta^2 dt^2 K) dv = dt a is solved by conjugate gradients in the inner product sum_i m_i u_i.v_i, in which L and K are symmetric
 /// (walls that are curved make them so within a per cent, which the iteration bears), preconditioned by 1 + theta dt lambda_i + theta^2 dt^2 kappa_i with
 /// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept. They are computed

@@ -130,6 +130,7 @@ void prepare(const Reading& reading)
     integration.solves = needs.solves;
     integration.solvesPressure = needs.solvesPressure;
     integration.moves = needs.moves;
+    if (needs.solves && needs.moves) integration.theta = entry::theta(dict);
     integration.factors.viscous *= needs.viscousFactor;
     integration.factors.diffusive *= needs.viscousFactor;
     integration.maxSubSteps = entry::maxSubSteps(dict);
@@ -153,14 +154,14 @@ void readSolve(const Reading& reading, const Dictionary& dict)
     auto& settings = reading.settings;
     auto& integration = settings.integration;
     integration.tolerance = entry::tolerance(dict, integration.solvesPressure ? 0.1 : 1e-6);
-    if (integration.moves) integration.theta = entry::theta(dict);
     integration.maxIter = entry::maxIter(dict);
     if (integration.solvesPressure && integration.tolerance >= 1)
         entry::tolerance.error(dict, "is a share of the forces, below 1: at 1 nothing would be solved for");
     if (integration.solvesPressure)
         settings.reasons.push_back(
-            fmt::format("pressure and viscosity within the step (theta {:.3g}), by conjugate gradients to {:.3g} of the forces",
-                        integration.theta, integration.tolerance));
+            fmt::format("pressure{} within the step (theta {:.3g}), by conjugate gradients to {:.3g} of the forces{}",
+                        integration.viscosityAtStart ? "" : " and viscosity", integration.theta, integration.tolerance,
+                        integration.viscosityAtStart ? "; viscosity, which does not shorten it, at its start" : ""));
     else if (integration.moves)
         settings.reasons.push_back(
             fmt::format("viscosity at the end of the step (theta {:.3g}), by conjugate gradients to {:.3g} of the velocity",

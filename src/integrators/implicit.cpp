@@ -31,11 +31,12 @@ template<int dim> void stages(Schedule<dim>& schedule)
 
 const Integrator& implicitIntegrator()
 {
-    static const Integrator integrator{"implicit",
-                                       "pressure and viscosity within the step, solved for: no limit by sound, stiffness or viscosity",
-                                       {.solves = true, .solvesPressure = true},
-                                       stages<2>,
-                                       stages<3>};
+    static const Integrator integrator{
+        "implicit",
+        "pressure within the step, and viscosity where it would shorten it, solved for: no limit by sound, stiffness or viscosity",
+        {.solves = true, .solvesPressure = true},
+        stages<2>,
+        stages<3>};
     return integrator;
 }
 

@@ -32,6 +32,7 @@ struct Integration
     bool keepsRates = false;            ///< the rates of a step predict those of the next
     bool solves = false;                ///< a step solves for velocities, with viscosity as a linear force (ImplicitSolve.hpp)
     bool solvesPressure = false;        ///< a step solves for pressure too
+    bool viscosityAtStart = false;      ///< of such a step: viscosity acts as it is at its start, and is not solved for
     bool moves = true;                  ///< particles move; else time is that of the fields that they carry
     int maxSubSteps = 1;                ///< most substeps of a step, an odd number
     double theta = 1, tolerance = 1e-6; ///< theta and relative tolerance of the solve

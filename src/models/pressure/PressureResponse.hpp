@@ -77,18 +77,27 @@ struct CompressionOfChange
 /// Repulsion of a pair: its force over its distance, per dW/dr/r, and 0 where it attracts.
 inline auto repulsion(const auto& i, const auto& j) { return fmax(decltype(i.P + j.P){}, i.P + j.P); }
 
-/// dF_i/(m_i dt)
+/// The part of g in dF_i/(m_i dt). It goes with the sum in q, of whose numbers it reads but one more: what is left for the sum over q then gathers nothing but q.
+struct RepulsionOfChange
+{
+    static constexpr auto name = "repulsionOfChange";
+    using Adds = StiffResponse;
+    using Reads = Fields<Displacement, PressureStrength>;
+    using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return repulsion(i, j) * ij.dWdrOverR * (i.u - j.u); }
+    auto finish(const auto& i, const auto& sum) const { return 1 / i.m * sum; }
+};
+
+/// The part of q.
 struct PressureResponse
 {
     static constexpr auto name = "pressureResponse";
-    using Provides = StiffResponse;
-    using Reads = Fields<Displacement, CompressionChange, PressureStrength>;
+    using Adds = StiffResponse;
+    using Reads = Fields<CompressionChange>;
     using ReadsOwn = Fields<Mass>;
     static constexpr bool bearsSingle = true;
-    auto operator()(const auto& ij, const auto& i, const auto& j) const
-    {
-        return (i.q + j.q) * ij.gradW - repulsion(i, j) * ij.dWdrOverR * (i.u - j.u);
-    }
+    auto operator()(const auto& ij, const auto& i, const auto& j) const { return (i.q + j.q) * ij.gradW; }
     auto finish(const auto& i, const auto& sum) const { return -1 / i.m * sum; }
 };
 

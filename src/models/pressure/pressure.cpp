@@ -102,7 +102,7 @@ void read(const Reading& reading)
     if (!settings.integration.solvesPressure) return;
     reading.select(settings.multiphase() ? "volumeStiffness" : "uniformVolumeStiffness");
     reading.select("pressureRate");
-    settings.integration.responses.push_back("pressureResponse");
+    for (const char* response : {"repulsionOfChange", "pressureResponse"}) settings.integration.responses.push_back(response);
 }
 }
 

@@ -10,8 +10,8 @@ template<int dim> Catalogue<dim> pressureTerms()
 {
     return catalogue<dim, Tait, TaitOrHeld, TaitOfPhase, TaitOfPhaseOrHeld, HuAdamsPressure, DensityWeightedPressure, MonaghanPressure,
                      MassWeightedPressure, DifferencePressure, CorrectedDifferencePressure, TensileControlledPressure, AddPressure,
-                     StiffnessOfPhase, UniformStiffness, StrengthOfPressure, ChangeAsDisplacement, CompressionOfChange, PressureResponse,
-                     PressureRate>();
+                     StiffnessOfPhase, UniformStiffness, StrengthOfPressure, ChangeAsDisplacement, CompressionOfChange, RepulsionOfChange,
+                     PressureResponse, PressureRate>();
 }
 
 template Catalogue<2> pressureTerms<2>();

@@ -29,6 +29,37 @@ void prepare(const Reading& reading)
     if (entry::viscosity.is(reading.schemes, "cleary")) reading.settings.integration.factors.viscous /= 3;
 }
 
+/// s h^2/nu, s = 0.125, unless it is implicit; nu the largest pair viscosity over the smaller density.
+std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& measured)
+{
+    const auto& c = settings.coefficients;
+    if (settings.has(entry::viscosity, "none")) return {};
+    const double h = 0.5 * c.support;
+    double nu = 0;
+    for (std::size_t k = 0; k < c.phases.size(); ++k)
+        for (std::size_t l = 0; l < c.phases.size(); ++l)
+            if (const double sum = c.viscosity[k] + c.viscosity[l]; sum > 0)
+                nu = std::max(nu, 2 * c.viscosity[k] * c.viscosity[l] / sum / std::min(c.restDensity[k], c.restDensity[l]));
+    if (measured.largestViscosity) nu = *measured.largestViscosity / c.restDensity[0];
+    if (!(nu > 0) || (settings.integration.solves && !settings.integration.viscosityAtStart)) return {};
+    return StepLimit{settings.integration.maxSubSteps * (settings.integration.factors.viscous * h * h / nu), "viscosity", true,
+                     measured.largestViscosity ? &DynamicViscosity::info : nullptr};
+}
+
+/// Takes viscosity out of the solve of an implicit step of first order where something else, surface tension as a rule, allows no longer steps than viscosity
+/// does: an iteration then sums over fewer numbers of each pair, and the step is as long and as stable (README.md).
+void takeOutOfSolve(const Reading& reading)
+{
+    const auto& settings = reading.settings;
+    auto& integration = reading.settings.integration;
+    if (!integration.solvesPressure || integration.theta < 1 || settings.facts.get<VaryingViscosity>().exists) return;
+    const auto others = reading.limits(settings, {});
+    integration.viscosityAtStart = true;
+    const auto limit = viscousLimit(settings, {});
+    integration.viscosityAtStart =
+        limit && std::ranges::any_of(others, [&](const StepLimit& other) { return other.deltaT <= limit->deltaT; });
+}
+
 void read(const Reading& reading)
 {
     auto& settings = reading.settings;
@@ -52,7 +83,8 @@ void read(const Reading& reading)
     }
     if (settings.multiphase() && form != "none") reading.select("viscosityOfPhase");
     const std::string name = central ? kind : kind + "Viscous";
-    if (settings.integration.solves && form != "none")
+    if (form != "none") takeOutOfSolve(reading);
+    if (form != "none" && settings.integration.solves && !settings.integration.viscosityAtStart)
     {
         settings.integration.responses.push_back(name + "Response");
         reading.select(name + "Rate");
@@ -62,23 +94,6 @@ void read(const Reading& reading)
     if (!(alpha > 0)) return;
     c.set(ArtificialNumber{alpha * (0.5 * c.support) * (*std::max_element(c.soundSpeed.begin(), c.soundSpeed.end())) * c.restDensity[0]});
     reading.select("artificialViscosity");
-}
-
-/// s h^2/nu, s = 0.125, unless it is implicit; nu the largest pair viscosity over the smaller density.
-std::optional<StepLimit> viscousLimit(const Settings& settings, const Measured& measured)
-{
-    const auto& c = settings.coefficients;
-    if (settings.has(entry::viscosity, "none")) return {};
-    const double h = 0.5 * c.support;
-    double nu = 0;
-    for (std::size_t k = 0; k < c.phases.size(); ++k)
-        for (std::size_t l = 0; l < c.phases.size(); ++l)
-            if (const double sum = c.viscosity[k] + c.viscosity[l]; sum > 0)
-                nu = std::max(nu, 2 * c.viscosity[k] * c.viscosity[l] / sum / std::min(c.restDensity[k], c.restDensity[l]));
-    if (measured.largestViscosity) nu = *measured.largestViscosity / c.restDensity[0];
-    if (!(nu > 0) || settings.integration.solves) return {};
-    return StepLimit{settings.integration.maxSubSteps * (settings.integration.factors.viscous * h * h / nu), "viscosity", true,
-                     measured.largestViscosity ? &DynamicViscosity::info : nullptr};
 }
 
 /// s h/(2 alpha c) from two levels, s their stable decay; from one, sound binds first.

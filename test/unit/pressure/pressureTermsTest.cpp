@@ -47,7 +47,7 @@ template<int dim> void pressureResponse(const Terms& first)
         [&](Geometry g)
         {
             Scene<dim> s(std::move(g), coefficients<dim>(3),
-                         with(with(summed, first), {"volumeStiffness", "pressureResponse", "pressureRate"}));
+                         with(with(summed, first), {"volumeStiffness", "repulsionOfChange", "pressureResponse", "pressureRate"}));
             Plain<dim> plain(s);
             const auto& c = s.coefficients;
             // a = V^2 dp/dsigma, by a difference of the state equation: a cube root of round-off
@@ -115,7 +115,7 @@ TEST(PressureTerms, PressureResponseWithNormalisedGradientIn3D) { pressureRespon
 // The stiffness is symmetric, takes energy from every displacement, and no momentum: to round-off of sums over pairs.
 TEST(PressureTerms, PressureResponseIsSymmetricPositiveAndConservesMomentum)
 {
-    Scene<2> s(periodicBox(2), coefficients<2>(3), with(with(summed, normalisedGradient), {"volumeStiffness", "pressureResponse"}));
+    Scene<2> s(periodicBox(2), coefficients<2>(3), with(with(summed, normalisedGradient), {"volumeStiffness", "repulsionOfChange", "pressureResponse"}));
     using Field = std::vector<Vector<2>>;
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-1, 1);

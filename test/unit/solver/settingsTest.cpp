@@ -6,6 +6,7 @@
 #include "models/tension/Tensions.hpp"
 #include "models/viscosity/ArtificialViscosity.hpp"
 #include "smallCases.hpp"
+#include "solver/TimeStepLimits.hpp"
 #include "solver/readSettings.hpp"
 #include <algorithm>
 #include <fmt/format.h>
@@ -446,14 +447,15 @@ TEST(Settings, ImplicitTakesItsEntries)
     EXPECT_EQ(settings.integration.tolerance, 0.02);
     EXPECT_EQ(reading(with("")).settings.integration.tolerance, 0.1);
     EXPECT_EQ(settings.integration.factors.flow, 0.1);
-    EXPECT_EQ(settings.integration.responses, (std::vector<std::string>{"pressureResponse", "singlePhaseViscousResponse"}));
+    EXPECT_EQ(settings.integration.responses,
+              (std::vector<std::string>{"repulsionOfChange", "pressureResponse", "singlePhaseViscousResponse"}));
     EXPECT_TRUE(selects(settings, "uniformVolumeStiffness") && selects(settings, "pressureRate"));
     auto inviscid = with("");
     auto& phases = inviscid["constant/phaseProperties"];
     phases.replace(phases.find("mu"), phases.find(';', phases.find("mu")) - phases.find("mu") + 1, "");
     inviscid["system/sphSchemes"].replace(inviscid["system/sphSchemes"].find("wallVelocity secondOrder;"), 25, "");
     EXPECT_EQ(reading(inviscid).errors, "");
-    EXPECT_EQ(reading(inviscid).settings.integration.responses, (std::vector<std::string>{"pressureResponse"}));
+    EXPECT_EQ(reading(inviscid).settings.integration.responses, (std::vector<std::string>{"repulsionOfChange", "pressureResponse"}));
     EXPECT_EQ(reading(with("; theta 0.5")).settings.integration.theta, 0.5);
     EXPECT_EQ(reading(with("")).settings.integration.theta, 1);
     expectError(with("; theta 0.4"), "theta is 1/2 (Crank-Nicolson) to 1 (Euler), not 0.4");
@@ -464,6 +466,33 @@ TEST(Settings, ImplicitTakesItsEntries)
     expectError(with("; tolerance 1"), "is a share of the forces, below 1");
     expectError(edited(openCase(), "system/sphSchemes", "semiImplicit", "implicit"),
                 "opening \"gate\" has a pressure, which drives the plug that it holds at the start of a step");
+}
+
+// Surface tension allows the drop steps of 0.5 (1.5 h^3/4 pi)^1/2 = 3.5e-3 s, viscosity of h^2/8 nu = 7e-4 s/nu: nu is twice mu.
+TEST(Settings, AnImplicitStepLeavesViscosityOutOfItsSolveWhereSurfaceTensionBindsIt)
+{
+    const auto drop = [](const std::string& mu, const std::string& entries)
+    {
+        auto files = edited(dropCase(), "system/sphSchemes", "predictorCorrector", "implicit" + entries);
+        for (const char* phase : {"liquid { rho 1; mu ", "gas { rho 0.5; mu "})
+            files = edited(files, "constant/phaseProperties", phase + std::string("0.05"), phase + mu);
+        return reading(files).settings;
+    };
+    const auto thin = drop("0.05", "");
+    EXPECT_TRUE(thin.integration.viscosityAtStart);
+    EXPECT_FALSE(selects(thin, "harmonicViscousRate"));
+    EXPECT_TRUE(selects(thin, "harmonicViscosity"));
+    EXPECT_EQ(thin.integration.responses, (std::vector<std::string>{"repulsionOfChange", "pressureResponse"}));
+    EXPECT_NE(thin.reasons.back().find("viscosity, which does not shorten it, at its start"), std::string::npos) << thin.reasons.back();
+    const auto limits = stepLimits(thin, {});
+    EXPECT_TRUE(std::ranges::any_of(limits, [](const StepLimit& limit) { return limit.by == "viscosity"; }));
+    EXPECT_EQ(leastOf(limits).by, "capillary");
+    EXPECT_TRUE(drop("0.098", "").integration.viscosityAtStart);
+    const auto thick = drop("0.102", "");
+    EXPECT_FALSE(thick.integration.viscosityAtStart);
+    EXPECT_TRUE(selects(thick, "harmonicViscousRate"));
+    EXPECT_EQ(stepLimits(thick, {}).size(), 1u);
+    EXPECT_FALSE(drop("0.05", "; theta 0.5").integration.viscosityAtStart); // which would no longer be of second order
 }
 
 // An implicit step is the default where surface tension would allow steps 1.5 times as long as sound and stiffness do; a form without an energy, which
