@@ -158,12 +158,15 @@ template<int dim> void GasBand<dim>::exchange(Particles<dim>& particles)
 template<int dim> struct GasBand<dim>::Chains
 {
     const LiquidMap& map;
-    std::vector<int> first, next;
+    std::vector<int>& first;
+    std::vector<int> next;
     std::array<const double*, dim> x;
 
-    Chains(const LiquidMap& cells, const FieldStore<dim>& store, std::size_t owned)
-        : map(cells), first(map.cells(), -1), next(owned, -1), x(store.pointers(Position{}))
+    /// `room` is for `first`.
+    Chains(const LiquidMap& cells, const FieldStore<dim>& store, std::size_t owned, std::vector<int>& room)
+        : map(cells), first(room), next(owned, -1), x(store.pointers(Position{}))
     {
+        first.assign(map.cells(), -1);
         for (std::size_t i = 0; i < owned; ++i)
         {
             const auto cell = map.cellOf(at(i));
@@ -193,7 +196,7 @@ template<int dim> struct GasBand<dim>::Chains
 template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::size_t owned)
 {
     const double *const m = store.component(Mass::info.name, 0), *const ambient = store.component(Ambient::info.name, 0);
-    const Chains chains(map_, store, owned);
+    const Chains chains(map_, store, owned, room_);
     std::vector<std::uint8_t> goes(owned, 0);
     const auto isPressed = [&](std::size_t i)
     {
@@ -332,7 +335,7 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
     const auto& settings = particles.settings();
     std::vector<std::size_t> cells;
     {
-        const Chains chains(map_, store, owned);
+        const Chains chains(map_, store, owned, room_);
         const auto bare = bareCells(chains), sparse = sparseCells(store, chains, owned);
         cells = bare;
         std::ranges::set_difference(sparse, bare, std::back_inserter(cells)); // a gap beside moving gas may be a bare cell

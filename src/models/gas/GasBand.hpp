@@ -28,11 +28,12 @@ public:
     std::string report(const Particles<dim>&) const override;
     void save(Numbers&) const override;
     double letIn(std::size_t phase) const override { return phase == gas_ ? joined_ - gone_ : 0; }
-    std::size_t bytes() const override { return map_.bytes(); }
+    std::size_t bytes() const override { return map_.bytes() + room_.capacity() * sizeof(int); }
 
 private:
     struct Chains;
     LiquidMap map_;
+    std::vector<int> room_; ///< of chains
     std::size_t gas_;
     double spacing_;
     double width_, widthOfMotion_, freeWidth_; ///< of the band, of its part that moves, and of that which is not ambient [spacings]

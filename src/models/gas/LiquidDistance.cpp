@@ -93,19 +93,28 @@ void LiquidDistance::measureAlong(int direction, int reach)
     for (std::size_t l = 0; l < cells() / std::size_t(n); ++l)
     {
         std::uint16_t* const first = squared_.data() + l % stride + l / stride * stride * std::size_t(n);
-        std::vector<std::uint16_t> line; // with `reach` more cells at each end
-        for (int q = -reach; q < n + reach; ++q)
-            line.push_back((q < 0 || q >= n) && !around ? far : first[std::size_t((q % n + n) % n) * stride]);
+        std::vector<std::uint16_t> line(std::size_t(n + 2 * reach), far),
+            least(std::size_t(n), far); // the line with `reach` more cells at each end
+        bool isFar = true;
         for (int q = 0; q < n; ++q)
         {
-            auto least = line[std::size_t(q + reach)];
-            for (int o = 1; o <= reach; ++o)
-            {
-                const auto nearer = std::min(line[std::size_t(q + reach - o)], line[std::size_t(q + reach + o)]);
-                least = std::min(least, std::uint16_t(nearer + o * o));
-            }
-            first[std::size_t(q) * stride] = least;
+            line[std::size_t(q + reach)] = least[std::size_t(q)] = first[std::size_t(q) * stride];
+            isFar = isFar && least[std::size_t(q)] == far;
         }
+        if (isFar) continue;
+        for (int q = 0; around && q < reach; ++q)
+        {
+            line[std::size_t(q)] = least[std::size_t(((q - reach) % n + n) % n)];
+            line[std::size_t(reach + n + q)] = least[std::size_t(q % n)];
+        }
+        for (int o = 1; o <= reach; ++o)
+        {
+            const std::uint16_t *const before = line.data() + reach - o, *const behind = line.data() + reach + o;
+            const auto further = std::uint16_t(o * o);
+            for (int q = 0; q < n; ++q)
+                least[std::size_t(q)] = std::min(least[std::size_t(q)], std::uint16_t(std::min(before[q], behind[q]) + further));
+        }
+        for (int q = 0; q < n; ++q) first[std::size_t(q) * stride] = least[std::size_t(q)];
     }
 }
 

@@ -2,6 +2,7 @@
 #include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sph
 {
@@ -37,7 +38,8 @@ Vector<3> LiquidMap::between(const Vector<3>& a, const Vector<3>& b) const
 {
     auto d = a - b;
     for (int k = 0; k < geometry_.dimension; ++k)
-        if (geometry_.periodic[std::size_t(k)]) d.*component(k) -= geometry_.length(k) * std::round(d.*component(k) / geometry_.length(k));
+        if (const double length = geometry_.length(k); geometry_.periodic[std::size_t(k)] && std::fabs(d.*component(k)) > 0.5 * length)
+            d.*component(k) -= std::copysign(length, d.*component(k));
     return d;
 }
 
@@ -47,47 +49,51 @@ void LiquidMap::measure(double reach)
     findEnclosed();
 }
 
+/// Cells that share a face are joined, each with those before it along every direction, as trees whose roots are regions.
 void LiquidMap::findEnclosed()
 {
-    enum : int
+    constexpr int closed = -1;
+    auto& above = above_;
+    above.resize(cells());
+    for (std::size_t c = 0; c < cells(); ++c) above[c] = squaredDistance(c) <= 1 || place_[c] == solid ? closed : int(c);
+    const auto rootOf = [&](int c)
     {
-        closed = -1,
-        unseen = 0
+        while (above[std::size_t(c)] != c) c = above[std::size_t(c)] = above[std::size_t(above[std::size_t(c)])];
+        return c;
     };
-    std::vector<int> region(cells());
-    for (std::size_t c = 0; c < cells(); ++c) region[c] = squaredDistance(c) <= 1 || place_[c] == solid ? closed : unseen;
-    std::vector<std::size_t> sizes{0}, front;
+    const auto join = [&](std::size_t a, std::size_t b)
+    {
+        if (above[a] == closed || above[b] == closed) return;
+        const int one = rootOf(int(a)), other = rootOf(int(b));
+        above[std::size_t(std::max(one, other))] = std::min(one, other);
+    };
+    std::size_t stride = 1;
+    for (std::size_t k = 0; k < std::size_t(geometry_.dimension); ++k)
+    {
+        const std::size_t n = std::size_t(n_[k]), whole = stride * n;
+        for (std::size_t begin = 0; begin < cells(); begin += whole)
+        {
+            for (std::size_t c = begin + stride; c < begin + whole; ++c) join(c - stride, c);
+            for (std::size_t c = begin; geometry_.periodic[k] && c < begin + stride; ++c) join(c, c + whole - stride);
+        }
+        stride = whole;
+    }
+    std::map<int, std::size_t> sizes; // by root
+    int lastRoot = closed;
+    std::size_t* ofLast = nullptr;
     for (std::size_t c = 0; c < cells(); ++c)
     {
-        if (region[c] != unseen) continue;
-        const int number = int(sizes.size());
-        sizes.push_back(0);
-        region[c] = number;
-        front.assign(1, c);
-        while (!front.empty())
-        {
-            const auto cell = front.back();
-            front.pop_back();
-            ++sizes.back();
-            const auto at = indices(cell);
-            for (std::size_t k = 0; k < std::size_t(geometry_.dimension); ++k)
-                for (const int side : {-1, 1})
-                {
-                    auto next = at;
-                    next[k] += side;
-                    const long other = cellAt(next);
-                    if (other < 0 || region[std::size_t(other)] != unseen) continue;
-                    region[std::size_t(other)] = number;
-                    front.push_back(std::size_t(other));
-                }
-        }
+        if (above[c] == closed) continue;
+        above[c] = rootOf(int(c));
+        if (above[c] != lastRoot) ofLast = &sizes[lastRoot = above[c]];
+        ++*ofLast;
     }
-    const int largest = int(std::ranges::max_element(sizes) - sizes.begin());
-    pockets_ = std::max(0, int(sizes.size()) - 2);
+    const auto largest = std::ranges::max_element(sizes, {}, [](const auto& region) { return region.second; });
+    pockets_ = std::max(0, int(sizes.size()) - 1);
     for (std::size_t c = 0; c < cells(); ++c)
     {
         wasOpen_[c] = hasMeasured_ && !enclosed_[c];
-        enclosed_[c] = region[c] > 0 && region[c] != largest;
+        enclosed_[c] = above[c] != closed && above[c] != largest->first;
     }
     hasMeasured_ = true;
 }

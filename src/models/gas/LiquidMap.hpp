@@ -40,7 +40,7 @@ public:
     template<class F> void forEachAround(std::size_t cell, const F& f) const;
     /// Vector from b to a, by the shortest way where directions are periodic.
     Vector<3> between(const Vector<3>& a, const Vector<3>& b) const;
-    std::size_t bytes() const { return LiquidDistance::bytes() + cells() * 3 * sizeof(std::uint8_t); }
+    std::size_t bytes() const { return LiquidDistance::bytes() + cells() * (3 * sizeof(std::uint8_t) + sizeof(int)); }
 
 private:
     enum Place : std::uint8_t
@@ -51,6 +51,7 @@ private:
         solid
     };
     std::vector<std::uint8_t> enclosed_, wasOpen_, place_;
+    std::vector<int> above_; ///< another cell of the region of each, itself for one of them, -1 where there is no gas; kept for its memory
     int pockets_ = 0;
     bool hasMeasured_ = false;
 

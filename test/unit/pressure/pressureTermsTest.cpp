@@ -115,7 +115,8 @@ TEST(PressureTerms, PressureResponseWithNormalisedGradientIn3D) { pressureRespon
 // The stiffness is symmetric, takes energy from every displacement, and no momentum: to round-off of sums over pairs.
 TEST(PressureTerms, PressureResponseIsSymmetricPositiveAndConservesMomentum)
 {
-    Scene<2> s(periodicBox(2), coefficients<2>(3), with(with(summed, normalisedGradient), {"volumeStiffness", "repulsionOfChange", "pressureResponse"}));
+    Scene<2> s(periodicBox(2), coefficients<2>(3),
+               with(with(summed, normalisedGradient), {"volumeStiffness", "repulsionOfChange", "pressureResponse"}));
     using Field = std::vector<Vector<2>>;
     std::mt19937_64 random(3);
     std::uniform_real_distribution<double> any(-1, 1);
