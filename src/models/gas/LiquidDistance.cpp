@@ -93,8 +93,8 @@ void LiquidDistance::measureAlong(int direction, int reach)
     for (std::size_t l = 0; l < cells() / std::size_t(n); ++l)
     {
         std::uint16_t* const first = squared_.data() + l % stride + l / stride * stride * std::size_t(n);
-        std::vector<std::uint16_t> line(std::size_t(n + 2 * reach), far),
-            least(std::size_t(n), far); // the line with `reach` more cells at each end
+        std::vector<std::uint16_t> line(std::size_t(n + 2 * reach), far); // with `reach` more cells at each end
+        std::vector<std::uint16_t> least(std::size_t(n), far);
         bool isFar = true;
         for (int q = 0; q < n; ++q)
         {

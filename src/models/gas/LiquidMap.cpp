@@ -53,19 +53,18 @@ void LiquidMap::measure(double reach)
 void LiquidMap::findEnclosed()
 {
     constexpr int closed = -1;
-    auto& above = above_;
-    above.resize(cells());
-    for (std::size_t c = 0; c < cells(); ++c) above[c] = squaredDistance(c) <= 1 || place_[c] == solid ? closed : int(c);
+    above_.resize(cells());
+    for (std::size_t c = 0; c < cells(); ++c) above_[c] = squaredDistance(c) <= 1 || place_[c] == solid ? closed : int(c);
     const auto rootOf = [&](int c)
     {
-        while (above[std::size_t(c)] != c) c = above[std::size_t(c)] = above[std::size_t(above[std::size_t(c)])];
+        while (above_[std::size_t(c)] != c) c = above_[std::size_t(c)] = above_[std::size_t(above_[std::size_t(c)])];
         return c;
     };
     const auto join = [&](std::size_t a, std::size_t b)
     {
-        if (above[a] == closed || above[b] == closed) return;
+        if (above_[a] == closed || above_[b] == closed) return;
         const int one = rootOf(int(a)), other = rootOf(int(b));
-        above[std::size_t(std::max(one, other))] = std::min(one, other);
+        above_[std::size_t(std::max(one, other))] = std::min(one, other);
     };
     std::size_t stride = 1;
     for (std::size_t k = 0; k < std::size_t(geometry_.dimension); ++k)
@@ -83,9 +82,9 @@ void LiquidMap::findEnclosed()
     std::size_t* ofLast = nullptr;
     for (std::size_t c = 0; c < cells(); ++c)
     {
-        if (above[c] == closed) continue;
-        above[c] = rootOf(int(c));
-        if (above[c] != lastRoot) ofLast = &sizes[lastRoot = above[c]];
+        if (above_[c] == closed) continue;
+        above_[c] = rootOf(int(c));
+        if (above_[c] != lastRoot) ofLast = &sizes[lastRoot = above_[c]];
         ++*ofLast;
     }
     const auto largest = std::ranges::max_element(sizes, {}, [](const auto& region) { return region.second; });
@@ -93,7 +92,7 @@ void LiquidMap::findEnclosed()
     for (std::size_t c = 0; c < cells(); ++c)
     {
         wasOpen_[c] = hasMeasured_ && !enclosed_[c];
-        enclosed_[c] = above[c] != closed && above[c] != largest->first;
+        enclosed_[c] = above_[c] != closed && above_[c] != largest->first;
     }
     hasMeasured_ = true;
 }

@@ -1,6 +1,12 @@
 /// How far the liquid is from each cell, and which gas it encloses.
 #include "models/gas/LiquidMap.hpp"
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <map>
+#include <random>
+#include <vector>
 
 namespace sph::test
 {
@@ -59,6 +65,87 @@ TEST(LiquidMap, FindsWhatIsEnclosedAndWhatHasJustBeen)
     EXPECT_EQ(map.pockets(), 1);
     markRing(map, 0);
     EXPECT_FALSE(map.isClosing(middle)) << "it has been enclosed before";
+}
+
+// A box of 13 x 9 x 11 cells, periodic along x and z, with liquid in an eighth of them: distances by a search over all of it, and regions by a walk from cell to cell.
+TEST(LiquidMap, AgreesWithAPlainSearchIn3D)
+{
+    Geometry geometry;
+    geometry.dimension = 3;
+    geometry.low = {0, 0, 0};
+    geometry.high = {13, 9, 11};
+    geometry.periodic = {true, false, true};
+    const std::array<int, 3> n{13, 9, 11};
+    using Cell = std::array<int, 3>;
+    const auto centre = [](const Cell& c) { return Vector<3>{c[0] + 0.5, c[1] + 0.5, c[2] + 0.5}; };
+    std::vector<Cell> all;
+    for (int x = 0; x < n[0]; ++x)
+        for (int y = 0; y < n[1]; ++y)
+            for (int z = 0; z < n[2]; ++z) all.push_back({x, y, z});
+    std::mt19937_64 random(5);
+    int pocketsOfAll = 0;
+    for (int turn = 0; turn < 5; ++turn)
+    {
+        LiquidMap map(geometry, 1);
+        std::vector<Cell> liquid;
+        for (const auto& c : all)
+            if (random() % 8 == 0) liquid.push_back(c);
+        for (const auto& c : liquid) map.mark(centre(c));
+        map.measure(3);
+        std::map<Cell, int> region; // of cells farther than 1 from the liquid; 0 as long as nobody has been there
+        for (const auto& c : all)
+        {
+            int least = 1000;
+            for (const auto& other : liquid)
+            {
+                int squared = 0;
+                for (std::size_t k = 0; k < 3; ++k)
+                {
+                    const int d = std::abs(c[k] - other[k]);
+                    squared += sqr(geometry.periodic[k] ? std::min(d, n[k] - d) : d);
+                }
+                least = std::min(least, squared);
+            }
+            EXPECT_EQ(std::min(10, map.squaredDistance(map.cellOf(centre(c)))), std::min(10, least));
+            if (least > 1) region[c] = 0;
+        }
+        std::vector<int> sizes;
+        for (auto& [from, number] : region)
+        {
+            if (number > 0) continue;
+            sizes.push_back(0);
+            std::vector<Cell> front{from};
+            number = int(sizes.size());
+            while (!front.empty())
+            {
+                const auto c = front.back();
+                front.pop_back();
+                ++sizes.back();
+                for (std::size_t k = 0; k < 3; ++k)
+                    for (const int side : {-1, 1})
+                    {
+                        auto next = c;
+                        next[k] += side;
+                        if (geometry.periodic[k]) next[k] = (next[k] + n[k]) % n[k];
+                        if (const auto found = region.find(next); found != region.end() && found->second == 0)
+                        {
+                            found->second = int(sizes.size());
+                            front.push_back(next);
+                        }
+                    }
+            }
+        }
+        ASSERT_EQ(std::ranges::count(sizes, std::ranges::max(sizes)), 1) << "one region is the largest";
+        EXPECT_EQ(map.pockets(), int(sizes.size()) - 1);
+        pocketsOfAll += map.pockets();
+        for (const auto& c : all)
+        {
+            const auto found = region.find(c);
+            const bool inPocket = found != region.end() && sizes[std::size_t(found->second) - 1] < std::ranges::max(sizes);
+            EXPECT_EQ(map.isEnclosed(map.cellOf(centre(c))), inPocket);
+        }
+    }
+    EXPECT_GT(pocketsOfAll, 10);
 }
 
 // The plane of an opening at y = 20: gas may join before it, be held where the scene does not see it, and stand nowhere else.
