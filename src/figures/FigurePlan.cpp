@@ -150,7 +150,7 @@ NumberPlan readFigure(const Dictionary& d, const std::string& table)
         plan.name.erase(bracket);
     }
     plan.format = entry::format(d);
-    static const std::regex numberFormat("%[-+ #0]*[0-9]*(\\.[0-9]+)?[defgEG]");
+    static const std::regex numberFormat("%[-+ #0]*[0-9]{0,3}(\\.[0-9]{1,3})?[defgEG]");
     if (!std::regex_match(plan.format, numberFormat))
         entry::format.error(d, fmt::format("\"{}\" is no format of one number: \"%.2f\", \"%+.1f\", \"%d\", \"%.3g\"", plan.format));
     if (plan.name.find_first_of(",\n") != plan.name.npos) entry::nameOfFigure.error(d, "a comma parts the columns of run/results.csv");
@@ -213,16 +213,16 @@ std::vector<PlannedRunFolder> readRuns(const Dictionary& d)
     return all;
 }
 
-LinesPlan readLines(const Dictionary& d)
+LinesPlan readLines(const Dictionary& d, const std::string& table)
 {
     LinesPlan plan(d);
     plan.name = entry::nameOfLine(d);
     plan.of = entry::of(d);
-    plan.table = entry::table_.needed(d);
+    plan.table = table.empty() ? entry::table_.needed(d) : entry::table_(d, table);
     plan.where = entry::where(d, "");
     plan.every = entry::every(d);
     plan.select = readSelection(d);
-    static const std::regex oneFormat("[^%]*%[-+ #0]*[0-9]*(\\.[0-9]+)?[defgEG][^%]*");
+    static const std::regex oneFormat("[^%]*%[-+ #0]*[0-9]{0,3}(\\.[0-9]{1,3})?[defgEG][^%]*");
     if (!std::regex_match(plan.name, oneFormat))
         entry::nameOfLine.error(d, fmt::format("\"{}\" has no format of one number: \"t = %.1f\"", plan.name));
     return plan;
@@ -245,7 +245,7 @@ TablePlan readTable(const Dictionary& d)
     }
     plan.runs = readRuns(d);
     const auto table = entry::table_(d, "");
-    if (entry::lines.given(d)) plan.lines = readLines(entry::lines(d));
+    if (entry::lines.given(d)) plan.lines = readLines(entry::lines(d), table);
     const auto rows = plan.lines ? plan.lines->table : table;
     const auto derived = entry::derivedTables(d);
     for (const auto& key : derived.keys()) plan.derivedTables.push_back(readDerivedTable(derived.subDict(key), table));

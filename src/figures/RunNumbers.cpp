@@ -36,7 +36,7 @@ const std::vector<Fact>& facts()
         {"energySupply", "largest energy over what the scene has supplied", "energy/supply ([^ ]+)", true},
         {"processorTime", "processor time of the solver [s]", "^ExecutionTime = ([^ ]+) s"},
         {"timeOfStep", "processor time of a step, without what comes before the first report [s]", ""}, // of two of them
-        {"putBack", "particles that were put back from inside walls", "^Leaked: ([0-9]+)"},
+        {"putBack", "particles that were put back from inside walls", "^Leaked: ([0-9]+) particles put back"},
         {"particles", "particles at the start", "^Particles *: *([0-9]+)"},
     };
     return all;
@@ -63,6 +63,7 @@ double reduce(const std::string& operation, const std::vector<double>& values)
     if (values.empty()) return NAN;
     if (operation == "first") return values.front();
     if (operation == "last") return values.back();
+    if (std::ranges::any_of(values, [](double a) { return std::isnan(a); })) return NAN; // what no comparison orders
     if (operation == "min") return *std::ranges::min_element(values);
     if (operation == "max") return *std::ranges::max_element(values);
     if (operation == "farthest") return *std::ranges::max_element(values, {}, [](double a) { return std::abs(a); });
@@ -377,7 +378,7 @@ std::vector<std::optional<double>> RunNumbers::lookUp(const LookUpPlan& plan, co
         {
             // Rows come in the order of the other table: a path that turns back has a strain twice.
             for (std::size_t turn = 0; turn < key.size() && !found[k]; ++turn, next = (next + 1) % key.size())
-                if (std::abs(key[next] - at[k]) <= 1e-8 * std::max(std::abs(at[k]), 1e-1)) found[k] = value[next];
+                if (std::abs(key[next] - at[k]) <= 1e-8 * std::abs(at[k])) found[k] = value[next];
             continue;
         }
         for (std::size_t l = 0; l + 1 < key.size() && !found[k]; ++l)
@@ -395,7 +396,7 @@ void RunNumbers::keepWhere(const std::string& text, const Dictionary& dict, cons
     {
         std::size_t n = 0;
         for (std::size_t k = 0; k < keep.size(); ++k)
-            if (keep[k] != 0) list[n++] = list[k];
+            if (keep[k] != 0 && !std::isnan(keep[k])) list[n++] = list[k];
         list.resize(n);
     };
     for (auto& [name, column] : more) chosen(column);
@@ -471,12 +472,12 @@ std::vector<std::pair<std::size_t, double>> RunNumbers::lines(const LinesPlan& p
     std::iota(numbered.begin(), numbered.end(), 1);
     const auto places = evaluate(plan.of, plan.dict, "of", &of, rows, {{"line", numbered}});
     std::vector<std::pair<std::size_t, double>> lines;
-    double next = places.empty() ? 0 : std::min(places.front(), 0.0);
+    double next = places.empty() ? 0 : places.front();
     for (std::size_t k = 0; k < rows.size(); ++k)
     {
         if (plan.every > 0 && places[k] < next - 1e-9 * plan.every) continue;
         lines.emplace_back(rows[k], places[k]);
-        next += plan.every;
+        if (plan.every > 0) next = plan.every * (std::floor(places[k] / plan.every + 1e-9) + 1);
     }
     return lines;
 }

@@ -148,7 +148,7 @@ std::optional<RunTable::Column> RunTable::find(const std::string& name, const st
     for (const auto row : rows)
     {
         const auto& text = rows_[row][c];
-        std::istringstream in(isVector ? text.substr(1, text.size() - 2) : text);
+        std::istringstream in(isVector && text.size() > 2 ? text.substr(1, text.size() - 2) : text);
         Vector<3> value{NAN, NAN, NAN};
         std::array<double*, 3> parts{&value.x, &value.y, &value.z};
         for (std::size_t k = 0; k < (isVector ? 3u : 1u); ++k)

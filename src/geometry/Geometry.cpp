@@ -68,4 +68,12 @@ bool Geometry::bends() const
 
 double Geometry::length(int direction) const { return high.*component(direction) - low.*component(direction); }
 
+Vector<3> Geometry::shortest(Vector<3> way) const
+{
+    for (int k = 0; k < dimension; ++k)
+        if (double& d = way.*component(k); periodic[std::size_t(k)] && std::fabs(d) > 0.5 * length(k))
+            d -= length(k) * std::round(d / length(k));
+    return way;
+}
+
 }

@@ -147,6 +147,8 @@ struct Geometry
     bool bends() const;
     /// Extent of the domain in a coordinate direction [m].
     double length(int direction) const;
+    /// A vector from one point to another by the shortest way round the periodic directions.
+    Vector<3> shortest(Vector<3> way) const;
     /// Lengths below which surfaces touch [m].
     double tolerance() const { return 1e-6 * std::max(length(0), length(1)); }
 

@@ -138,6 +138,11 @@ std::string wallsText(const Geometry& g, const std::string& stamp)
     return out + ");\n";
 }
 
+namespace
+{
+std::string entryOfStamp(const Dictionary& dict) { return dict.get<std::string>("stamp"); }
+}
+
 Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const std::filesystem::path& folder)
 {
     Geometry g;
@@ -146,7 +151,7 @@ Geometry readWalls(const Dictionary& dict, const Resolution& resolution, const s
     readSpace(dict, g);
     checkFit(g, resolution, dict.diagnostics());
     g.reach = std::max(supportsOfSolver * resolution.H(), dict.get("reach", units::m));
-    wallsStamp(dict);
+    entryOfStamp(dict);
     std::vector<std::string> names;
     const auto walls = dict.subDict("walls");
     for (const auto& name : walls.keys())
@@ -214,6 +219,13 @@ std::string wallInWords(const Geometry& g, int patch, const Vector<3>& x)
     return fmt::format("\"{}\", facet {} of {}", region, *nearest, wallMeshFile(name));
 }
 
-std::string wallsStamp(const Dictionary& dict) { return dict.get<std::string>("stamp"); }
+Geometry readWalls(const Case& c, const Resolution& resolution)
+{
+    const auto dict = c.dictionary("constant/walls");
+    if (c.has("constant/geometry") && entryOfStamp(dict) != geometryStamp(c.folder(), resolution.spacing, resolution.support))
+        c.diagnostics().error({"constant/walls", 0},
+                              "does not belong to the present constant/geometry and resolution: run meshToGhost again");
+    return readWalls(dict, resolution, c.folder());
+}
 
 }

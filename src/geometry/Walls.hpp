@@ -13,6 +13,7 @@
 /// spheres are taken apart. A mesh is one entry, `{ wall rocks; type triSurface; regions (rocks rocks.top); }`: its facets are in constant/wallMeshes/rocks,
 /// and `regions` are the walls of its regions.
 #pragma once
+#include "case/Case.hpp"
 #include "geometry/Geometry.hpp"
 #include <filesystem>
 
@@ -30,10 +31,10 @@ std::string wallsText(const Geometry&, const std::string& stamp);
 /// where particles of this resolution do not fit the domain.
 Geometry readWalls(const Dictionary&, const Resolution&, const std::filesystem::path& folder = {});
 
+/// Reads constant/walls of a case. It is an error that a present constant/geometry, or this resolution, is not what it was made from.
+Geometry readWalls(const Case&, const Resolution&);
+
 /// "rock", and of a mesh the facet nearest to x: `"rock", facet 12 of constant/wallMeshes/rock`, counted from 0. Reads that file: for messages alone.
 std::string wallInWords(const Geometry&, int patch, const Vector<3>& x);
-
-/// The stamp in constant/walls, for comparison with geometryStamp.
-std::string wallsStamp(const Dictionary&);
 
 }

@@ -91,7 +91,8 @@ public:
 
     std::vector<TableSphere> operator()(const std::string& text)
     {
-        std::istringstream in(text);
+        const std::string byteOrderMark = "\xEF\xBB\xBF"; // of spreadsheets' UTF-8
+        std::istringstream in(text.starts_with(byteOrderMark) ? text.substr(byteOrderMark.size()) : text);
         bool isFirst = true, isHeader = false; // `isHeader`: of a dump, where no atoms stand
         int number = 0, times = 0;
         for (std::string line; std::getline(in, line);)

@@ -39,7 +39,8 @@
 /// (test/accuracy fallingDrop). gamma varies as slowly as the particles move: it is asked for every few steps, and kept in between and over restarts.
 ///
 /// A step is refused (StepTooLong) where the iteration does not end, and with pressure where dt |dv| of any particle exceeds h/2, the limit by acceleration having
-/// allowed for h/16 at the forces of the step before: farther than that no response is linear. The state is taken back, the impulse of the step before by one more product, and the step made in halves.
+/// allowed for h/16 at the forces of the step before: farther than that no response is linear. The state is taken back, the impulse of the step before by one more product, and the step made in halves;
+/// with viscosity alone the run ends where the iteration does not.
 ///
 /// Without inertia, 0 = a(v_0) + L (v_1 - v_0), the same iteration finds the steady velocities of creeping flow; walls must hold it.
 #pragma once
@@ -63,6 +64,7 @@ public:
 private:
     class Matrix;
 
+    Array freeMass_;                           ///< of the owned particles, 0 of what is held, where something is [kg]
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
     const bool withPressure_, viscous_, followsForces_;
     int iterations_ = 0;

@@ -76,10 +76,27 @@ const Scalar theta{"theta", units::none, 1,
 
 namespace
 {
+void readFactors(const Dictionary& dict, Integration& integration)
+{
+    auto& f = integration.factors;
+    f.sound = entry::soundFactor(dict, f.sound);
+    if (integration.solvesPressure) f.flow = entry::flowFactor(dict, f.flow);
+    if (integration.solves && integration.moves && !integration.solvesPressure)
+        f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
+    f.stiffness = entry::stiffnessFactor(dict, f.stiffness);
+    f.viscous = entry::viscousFactor(dict, f.viscous);
+    f.diffusive = entry::diffusiveFactor(dict, f.diffusive);
+    f.capillary = entry::capillaryFactor(dict, f.capillary);
+    f.force = entry::forceFactor(dict, f.force);
+    const double all = entry::stepFactor(dict);
+    for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force})
+        *factor *= all;
+}
+
 /// Surface tension allows steps of h^3/2, sound of h, and the stiffness of a liquid beside a light gas of a thirtieth of that: where it would allow half
 /// as long a step again as all else, an implicit one pays, of some 25 sums over pairs beside the 14 of an explicit one (tutorials/stiff/dropOffLattice;
 /// tutorials/verification/laplaceDrop, where it allows twice as long a step: 11 s beside 18 s).
-std::string chosenScheme(const Reading& reading)
+std::string chosenScheme(const Reading& reading, const Dictionary& dict)
 {
     auto& settings = reading.settings;
     const std::string explicitScheme = "predictorCorrector";
@@ -90,7 +107,9 @@ std::string chosenScheme(const Reading& reading)
     constexpr double infinity = std::numeric_limits<double>::infinity(), worthSolving = 1.5;
     double slow = infinity;
     StepLimit least{infinity, "none"};
-    for (const auto& limit : reading.limits(settings, {}))
+    auto byFactors = settings;
+    readFactors(dict, byFactors.integration);
+    for (const auto& limit : reading.limits(byFactors, {}))
         if (!limit.ofSubstep) slow = std::min(slow, limit.deltaT);
         else if (limit.deltaT < least.deltaT) least = limit;
     if (slow < worthSolving * least.deltaT) return explicitScheme;
@@ -123,7 +142,7 @@ void prepare(const Reading& reading)
     auto& settings = reading.settings;
     auto& integration = settings.integration;
     const auto dict = entry::integration(reading.schemes);
-    integration.scheme = entry::scheme.given(dict) ? entry::scheme.needed(dict) : chosenScheme(reading);
+    integration.scheme = entry::scheme.given(dict) ? entry::scheme.needed(dict) : chosenScheme(reading, dict);
     const auto& needs = integratorOf(integration.scheme).needs;
     integration.predicts = needs.predicts;
     integration.keepsRates = needs.keepsRates;
@@ -144,6 +163,7 @@ void prepare(const Reading& reading)
         entry::maxSubSteps.error(
             dict,
             "goes with explicit integration: an implicit step is limited by surface tension alone, and with semiImplicit a drop was less exact by parts, and no faster");
+    readFactors(dict, integration);
 }
 
 /// Least tolerance of a solve whose products see values in single precision, 6e-8 of them.
@@ -196,19 +216,6 @@ void read(const Reading& reading)
 {
     auto& integration = reading.settings.integration;
     const auto dict = entry::integration(reading.schemes);
-    auto& f = integration.factors;
-    f.sound = entry::soundFactor(dict, f.sound);
-    if (integration.solvesPressure) f.flow = entry::flowFactor(dict, f.flow);
-    if (integration.solves && integration.moves && !integration.solvesPressure)
-        f.dampedSound = entry::dampedSoundFactor(dict, f.dampedSound);
-    f.stiffness = entry::stiffnessFactor(dict, f.stiffness);
-    f.viscous = entry::viscousFactor(dict, f.viscous);
-    f.diffusive = entry::diffusiveFactor(dict, f.diffusive);
-    f.capillary = entry::capillaryFactor(dict, f.capillary);
-    f.force = entry::forceFactor(dict, f.force);
-    const double all = entry::stepFactor(dict);
-    for (double* factor : {&f.sound, &f.flow, &f.dampedSound, &f.stiffness, &f.viscous, &f.diffusive, &f.capillary, &f.force})
-        *factor *= all;
     if (integration.solves) readSolve(reading, dict);
     if (reading.settings.coefficients.has<TwoLevels>()) readVerlet(reading.settings);
 }

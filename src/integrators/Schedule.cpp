@@ -46,6 +46,7 @@ template<int dim> Schedule<dim>& Schedule<dim>::drift()
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftOn()
 {
+    lastDrift_ = 0.5;
     return then({"drift on", "x += dt/2 v", [](Particles<dim>& p, const Substep& s) { sph::drift(p, 0.5 * s.deltaT); }});
 }
 
@@ -64,6 +65,7 @@ template<int dim> Schedule<dim>& Schedule<dim>::driftByTheta()
 
 template<int dim> Schedule<dim>& Schedule<dim>::driftOnByTheta()
 {
+    lastDrift_ = 1 - particles_.settings().integration.theta;
     return then({"drift on", "x += (1 - theta) dt v_1 + (2 theta - 1) dt (v_1 - v_0)",
                  [](Particles<dim>& p, const Substep& s)
                  {
@@ -112,7 +114,7 @@ template<int dim> Schedule<dim>& Schedule<dim>::measure()
                  [this](Particles<dim>& p, const Substep& s)
                  {
                      measure_(s.deltaT);
-                     p.moved(0.5 * s.deltaT * p.maxSpeed());
+                     p.moved(lastDrift_ * s.deltaT * p.maxSpeed());
                  }});
 }
 

@@ -49,6 +49,7 @@ private:
     std::function<void(double)> measure_;
     std::vector<Stage<dim>> stages_;
     std::map<std::string, long> counts_;
+    double lastDrift_ = 0; ///< share of the step for which particles drift with the velocities at its end, whose largest is known behind it
 };
 
 }

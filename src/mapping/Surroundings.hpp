@@ -37,7 +37,6 @@ public:
     Surrounded around(const PlacedPoint&, Interpolation, const Admits& admits = {}, int supports = 4) const;
 
     const Sight& sight() const { return sight_; }
-    double spacing() const { return view_.spacing; }
 
 private:
     ParticleView view_;

@@ -205,15 +205,7 @@ void Mapper::refuseUncovered(const std::vector<char>& isFarOff) const
     {
         if (!isFarOff[i]) continue;
         ++seen;
-        const double nearest = -most(source_.n,
-                                     [&](std::size_t j)
-                                     {
-                                         auto d = position(source_, j) - places_[i].x;
-                                         for (int k = 0; k < g.dimension; ++k)
-                                             if (g.periodic[std::size_t(k)])
-                                                 d.*component(k) -= g.length(k) * std::round(d.*component(k) / g.length(k));
-                                         return -mag(d);
-                                     });
+        const double nearest = -most(source_.n, [&](std::size_t j) { return -mag(g.shortest(position(source_, j) - places_[i].x)); });
         if (nearest > farthest) farthest = nearest, at = i;
     }
     throw CaseError(fmt::format(

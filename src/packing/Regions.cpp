@@ -39,15 +39,6 @@ static const Choice& region()
 
 namespace
 {
-/// The vector from `to` to x by the shortest way round the periodic directions.
-Vector<3> shortest(const Geometry& g, const Vector<3>& x, const Vector<3>& to)
-{
-    Vector<3> d = x - to;
-    for (int k = 0; k < g.dimension; ++k)
-        if (g.periodic[k]) d.*component(k) -= g.length(k) * std::round(d.*component(k) / g.length(k));
-    return d;
-}
-
 Region sphere(const Dictionary& dict, const Geometry& g)
 {
     auto centre = entry::centre(dict);
@@ -74,7 +65,7 @@ Region sphere(const Dictionary& dict, const Geometry& g)
     }
     const auto contains = [=](const Vector<3>& x)
     {
-        const Vector<3> d = shortest(space, x, centre);
+        const Vector<3> d = space.shortest(x - centre);
         return dot(d, d) < sqr(R);
     };
     return {contains, {within}};

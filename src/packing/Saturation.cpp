@@ -49,9 +49,7 @@ double toNearest(const Geometry& g, const std::vector<Vector<3>>& centres, const
     double nearest = Box::infinity;
     for (const auto& c : centres)
     {
-        Vector<3> d = x - c;
-        for (int k = 0; k < g.dimension; ++k)
-            if (g.periodic[k]) d.*component(k) -= g.length(k) * std::round(d.*component(k) / g.length(k));
+        const auto d = g.shortest(x - c);
         nearest = std::min(nearest, dot(d, d));
     }
     return nearest;

@@ -52,11 +52,7 @@ Geometry Run::loadGeometry(const Case& theCase)
         theCase.diagnostics().error({"constant/walls", 0}, "is missing: run meshToGhost, which makes it from constant/geometry");
         return {};
     }
-    const auto dict = theCase.dictionary("constant/walls");
-    if (theCase.has("constant/geometry") && wallsStamp(dict) != geometryStamp(theCase.folder(), resolution.spacing, resolution.support))
-        theCase.diagnostics().error({"constant/walls", 0},
-                                    "does not belong to the present constant/geometry and resolution: run meshToGhost again");
-    auto geometry = readWalls(dict, resolution, theCase.folder());
+    auto geometry = readWalls(theCase, resolution);
     if (wallsAreLayers(schemes)) geometry.layers = readWallLayers(theCase.folder(), geometry.walls.size(), theCase.diagnostics());
     return geometry;
 }

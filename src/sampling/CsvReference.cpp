@@ -20,7 +20,8 @@ const Word coordinate{"coordinate", required, "column of the coordinate"},
     csvTime{"time", byScene("none: a steady reference"), "column of the time"}, timeAlone{"time", required, "column of the time"},
     csvValue{"value", required, "column of the value"};
 const Scalar coordinateUnit{"coordinate", Unit{sph::units::none, "SI"}, 1, "of the coordinate"},
-    timeUnit{"time", Unit{sph::units::none, "SI"}, 1, "of the time"}, valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
+    timeUnit{"time", Unit{sph::units::none, "SI"}, 1, positive, "of the time"},
+    valueUnit{"value", Unit{sph::units::none, "SI"}, 1, "of the value"};
 const FreeName column{"<column>", "word or number", "what the column must hold"};
 const Direction axis{"axis", byScene("that of the coordinate column x, y or z"), "coordinate of a point: (point - origin).axis"};
 const Switch mirror{"mirror", false, "take the coordinate's absolute value, for profiles given from the middle"};
@@ -96,6 +97,8 @@ void CsvReference::read(const Dictionary& d, const std::filesystem::path& caseFo
     const auto unitsOf = entry::units(d);
     const double coordinateUnit = (inSpace ? entry::coordinateUnit : entry::timeUnit)(unitsOf),
                  timeUnit = inSpace ? entry::timeUnit(unitsOf) : 1, valueUnit = entry::valueUnit(unitsOf);
+    for (const auto* unit : {inSpace ? &entry::coordinateUnit : &entry::timeUnit, &entry::valueUnit})
+        if ((*unit)(unitsOf) == 0) unit->error(unitsOf, "must not be 0");
     const auto select = entry::select(d);
     std::map<std::string, std::string> wanted;
     for (const auto& key : select.keys()) wanted[key] = select.get<std::string>(key);

@@ -149,6 +149,8 @@ void FunctionObjects::read(const Dictionary& functions, const Geometry& geometry
 {
     using Control = Entry::Control;
     if (!functions.isDictionary(name)) return functions.error(name, fmt::format("{} must be a dictionary: {} {{ type ...; }}", name, name));
+    if (name.starts_with('.') || name.find_first_of("/\\\t\n") != name.npos)
+        return functions.error(name, "names the folder of its output, below postProcessing: no path, no '.' at its beginning, no tab");
     const auto d = functions.subDict(name);
     loadLibraries(d);
     const auto type = entry::functionType().known(d);

@@ -88,6 +88,7 @@ Numbers::Numbers(const Dictionary& dict, const FunctionContext& context)
             numbers.error(name, fmt::format("{} must be a dictionary: {} {{ operation mean; value \"$p\"; }}", name, name));
             continue;
         }
+        if (name.find_first_of("\t\n") != name.npos) numbers.error(name, "heads a column of a table, which tabs part: a name without them");
         const auto d = numbers.subDict(name);
         const auto expression = [&](const Text& entry, const std::string& text)
         { return ParticleExpression(entry, d, text, above, below); };
@@ -156,7 +157,7 @@ std::vector<char> Numbers::chosen(const Number& number, const ParticleView& view
     for (std::size_t i = 0; i < view.n; ++i)
         result[i] = view.inScene(i) && (!number.phase || phaseOf(view, i) == *number.phase) &&
                     (!number.region || contains(*number.region, position(view, i), view.dimension)) &&
-                    (condition.empty() || condition[i] != 0) && (!number.wall || isBeside(i));
+                    (condition.empty() || (condition[i] != 0 && !std::isnan(condition[i]))) && (!number.wall || isBeside(i));
     return result;
 }
 

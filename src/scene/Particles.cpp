@@ -167,6 +167,7 @@ template<int dim> void Particles<dim>::evaluateAt(std::span<const int> particles
 template<int dim> std::size_t Particles<dim>::bytes() const
 {
     std::size_t n = store_.bytes() + images_.bytes() + plan_.bytes();
+    if (halo_) n += halo_->bytes();
     for (const auto& model : runningModels_) n += model->bytes();
     return n;
 }

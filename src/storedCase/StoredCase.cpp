@@ -17,7 +17,7 @@ namespace
 Geometry loadGeometry(const Case& c)
 {
     const auto resolution = readResolution(c.dictionary("system/sphSchemes"));
-    if (c.has("constant/walls")) return readWalls(c.dictionary("constant/walls"), resolution, c.folder());
+    if (c.has("constant/walls")) return readWalls(c, resolution);
     return readGeometry(c.dictionary("constant/geometry"), resolution, supportsOfSolver, c.folder());
 }
 

@@ -101,7 +101,11 @@ SurfaceSettings readSurfaceSettings(const Dictionary& dict, const SurfaceCase& s
         entry::gridSpacing.error(dict, fmt::format("gives a grid of {:.1e} nodes; at most {:.0e} are possible", nodes, mostNodes));
     settings.support = entry::support(dict, 3 * scene.spacing);
     if (settings.support < settings.gridSpacing)
-        entry::support.error(dict, fmt::format("must not be less than gridSpacing, {}", settings.gridSpacing));
+        (entry::support.given(dict) ? entry::support : entry::gridSpacing)
+            .error(dict, fmt::format("the support, {} m, must not be less than gridSpacing, {} m", settings.support, settings.gridSpacing));
+    constexpr double widest = 20; // spacings; the particles within grow by its cube
+    if (settings.support > widest * scene.spacing)
+        entry::support.error(dict, fmt::format("is a length, and more than {} times the spacing, {} m", widest, scene.spacing));
     settings.kernel = entry::kernel(dict);
     settings.iso = entry::iso(dict);
     if (!entry::iso.given(dict)) settings.iso = 0.5;

@@ -47,6 +47,8 @@ public:
     std::vector<std::string> parts(const std::string& name) const
     {
         std::vector<std::string> parts;
+        if (name.ends_with('-'))
+            throw CaseError(Location{variantsDictionary, 0}, fmt::format("\"{}\" names no variant behind its last -", name));
         for (std::size_t begin = 0; begin < name.size();)
         {
             // the longest part that is known, so that names may hold '-' themselves
@@ -57,6 +59,9 @@ public:
                 if (end == name.npos || end <= begin)
                 {
                     const auto sought = name.substr(begin, name.find('-', begin) - begin);
+                    if (entries_.found(sought))
+                        entries_.error(sought, "is no variant: a variant is a dictionary of files, { \"system/controlDict\" { .. } }");
+                    entries_.diagnostics().throwIfAny();
                     throw CaseError(Location{variantsDictionary, 0},
                                     fmt::format("there is no variant \"{}\". {}", sought, suggestion(sought, "variants", names())));
                 }
@@ -97,11 +102,13 @@ fs::path cloneCase(const fs::path& caseFolder, const std::string& name)
     const auto parts = variants.parts(name);
     c.diagnostics().throwIfAny();
     const auto path = fs::path("run") / name, copy = caseFolder / path;
+    const bool isNew = !fs::exists(copy);
     std::vector<fs::path> folders;
     for (const auto& part : parts)
         for (const auto& folder : variants.folders(part)) folders.push_back(folder);
     renewInputs(caseFolder, folders, copy);
     for (const auto& part : parts) apply(variants.overrides(part, copy), copy, c.diagnostics());
+    if (isNew && c.diagnostics().errors() > 0) fs::remove_all(copy); // no case that looks like the variant
     c.diagnostics().throwIfAny();
     return path;
 }

@@ -86,15 +86,7 @@ Drop dropOrBubble(const ParticleView& view, std::size_t phase)
 
 Vector<3> displacement(const ParticleView& view, const Vector<3>& a, const Vector<3>& b)
 {
-    auto d = b - a;
-    if (view.geometry)
-        for (int k = 0; k < view.dimension; ++k)
-            if (view.geometry->periodic[k])
-            {
-                const double period = view.geometry->high.*axes[k] - view.geometry->low.*axes[k];
-                d.*axes[k] -= period * std::round(d.*axes[k] / period);
-            }
-    return d;
+    return view.geometry ? view.geometry->shortest(b - a) : b - a;
 }
 
 double domainVolume(const Geometry& geometry)

@@ -2,10 +2,9 @@
 ///
 ///   dv/dt = -rate v
 ///
-/// rate [1/s]. It is for a start far off equilibrium. Velocities of both levels decay, where there are two.
+/// rate [1/s]. It is for a start far off equilibrium.
 #pragma once
-#include "scene/Particles.hpp"
-#include "scene/TwoLevels.hpp"
+#include "scene/slowDown.hpp"
 #include <cmath>
 
 namespace sph
@@ -25,12 +24,7 @@ public:
                  {
                      if (substep.time >= until_) return;
                      const double factor = std::exp(-rate_ * substep.deltaT);
-                     for (const auto& name : {std::string(Velocity::info.name), incrementOf(stateField(Velocity{}))})
-                         for (int c = 0; c < dim && p.store().has(name); ++c)
-                         {
-                             double* const v = p.store().component(name, c);
-                             for (std::size_t i = 0; i < p.size(); ++i) v[i] *= factor;
-                         }
+                     slowDown(p, substep.deltaT, [factor](std::size_t, double) { return factor; });
                  }}};
     }
 };

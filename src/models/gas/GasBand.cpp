@@ -1,6 +1,7 @@
 #include "models/gas/GasBand.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include "parallel/reduce.hpp"
+#include "scene/slowDown.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -72,13 +73,11 @@ template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
         return {{"slow gas", "v /= 1 + 0.03 s^2 dt (p_b/rho_0)^(1/2)/dx of ambient gas",
                  [this](Particles<dim>& p, const Substep& step)
                  {
-                     const auto v = p.store().pointers(Velocity{});
                      const double* const ambient = p.store().component(Ambient::info.name, 0);
                      const auto& k = p.coefficients();
                      const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
-#pragma omp parallel for schedule(static)
-                     for (std::size_t i = 0; i < p.size(); ++i)
-                         for (int c = 0; c < dim; ++c) v[c][i] /= 1 + step.deltaT * rate * sqr(Ambient::share(ambient[i]));
+                     slowDown(p, step.deltaT,
+                              [&](std::size_t i, double) { return 1 / (1 + step.deltaT * rate * sqr(Ambient::share(ambient[i]))); });
                  }}};
     if (place == JoinPoint::solve && solvesPressure_)
         return {{"soften gas", "(1 - s) dp/drho of ambient gas",
@@ -92,22 +91,23 @@ template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
     return {};
 }
 
-template<int dim> bool GasBand<dim>::isGas(const FieldStore<dim>& store, std::size_t i) const
+/// What particles are, until the store is resized.
+template<int dim> struct GasBand<dim>::Kinds
 {
-    return std::size_t(store.component(Phase::info.name, 0)[i]) == gas_;
-}
+    double gas;
+    const double *phase, *holder, *state; ///< no holder without openings
 
-/// Whether an opening holds it.
-template<int dim> bool GasBand<dim>::isHeld(const FieldStore<dim>& store, std::size_t i) const
-{
-    return hasOpenings_ && store.component(Holder::info.name, 0)[i] > 0;
-}
-
-/// Over that at rest.
-template<int dim> double GasBand<dim>::volumeOver(const FieldStore<dim>& store, std::size_t i) const
-{
-    return store.component(Volume::info.name, 0)[i] / restVolume_;
-}
+    Kinds(const GasBand& band, const FieldStore<dim>& store)
+        : gas(double(band.gas_)),
+          phase(store.component(Phase::info.name, 0)),
+          holder(band.hasOpenings_ ? store.component(Holder::info.name, 0) : nullptr),
+          state(store.component(Ambient::info.name, 0))
+    {}
+    bool isGas(std::size_t i) const { return phase[i] == gas; }
+    /// Whether an opening holds it.
+    bool isHeld(std::size_t i) const { return holder && holder[i] > 0; }
+    double ambient(std::size_t i) const { return state[i]; }
+};
 
 template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
 {
@@ -121,17 +121,24 @@ template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
 template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t owned) const
 {
     auto& store = particles.store();
-    const auto x = store.pointers(Position{}), v = store.pointers(Velocity{});
+    const auto x = store.pointers(Position{});
+    const Kinds kinds(*this, store);
     double* const ambient = store.component(Ambient::info.name, 0);
+    std::vector<double*> velocities;
+    for (const auto& name :
+         {std::string(Velocity::info.name), Evolving{stateField(Velocity{})}.startName(), incrementOf(stateField(Velocity{}))})
+        for (int c = 0; store.has(name) && c < dim; ++c) velocities.push_back(store.component(name, c));
+#pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < owned; ++i)
     {
         const auto cell = map_.cellOf(in3D(valueAt<Vector<dim>>(x, i)));
         const double outwards = Ambient::isMoving(ambient[i]) ? widthOfMotion_ + hysteresis : widthOfMotion_,
                      d = std::sqrt(map_.squaredDistance(cell));
-        ambient[i] = !isGas(store, i) || isHeld(store, i) || map_.isEnclosed(cell) ? 0
-                     : d > outwards                                                ? Ambient::stands
+        ambient[i] = !kinds.isGas(i) || kinds.isHeld(i) || map_.isEnclosed(cell) ? 0
+                     : d > outwards                                              ? Ambient::stands
                                     : Ambient::moving(std::clamp((d - freeWidth_) / (widthOfMotion_ - freeWidth_), 0.0, 1.0));
-        for (int c = 0; ambient[i] == Ambient::stands && c < dim; ++c) v[c][i] = 0;
+        if (ambient[i] == Ambient::stands)
+            for (double* v : velocities) v[i] = 0;
     }
 }
 
@@ -140,17 +147,23 @@ template<int dim> void GasBand<dim>::exchange(Particles<dim>& particles)
     auto& store = particles.store();
     std::size_t owned = particles.size();
     map_.clear();
-    const auto x = store.pointers(Position{});
-    for (std::size_t i = 0; i < owned; ++i)
-        if (!isGas(store, i)) map_.mark(in3D(valueAt<Vector<dim>>(x, i)));
+    {
+        const auto x = store.pointers(Position{});
+        const Kinds kinds(*this, store);
+        for (std::size_t i = 0; i < owned; ++i)
+            if (!kinds.isGas(i)) map_.mark(in3D(valueAt<Vector<dim>>(x, i)));
+    }
+    if (particles.movingWalls().any()) map_.findPlaces();
     map_.measure(width_ + hysteresis);
+    mark(particles, owned); // as it was at the last exchange: one at the same positions, as a restart makes it, changes nothing
     owned = join(particles, remove(store, owned));
     mark(particles, owned);
     particles.setSize(owned);
 
     const double* const m = store.component(Mass::info.name, 0);
-    now_ = count(owned, [&](std::size_t i) { return isGas(store, i); });
-    mass_ = sum(owned, [&](std::size_t i) { return isGas(store, i) ? m[i] : 0.0; });
+    const Kinds kinds(*this, store);
+    now_ = count(owned, [&](std::size_t i) { return kinds.isGas(i); });
+    mass_ = sum(owned, [&](std::size_t i) { return kinds.isGas(i) ? m[i] : 0.0; });
     if (!start_) start_ = mass_ - joined_ + gone_;
 }
 
@@ -183,7 +196,7 @@ template<int dim> struct GasBand<dim>::Chains
                           [&](std::size_t cell)
                           {
                               for (int j = first[cell]; j >= 0; j = next[std::size_t(j)])
-                                  if (counts(std::size_t(j))) nearest = std::min(nearest, mag(map.between(at(std::size_t(j)), place)));
+                                  if (counts(std::size_t(j))) nearest = std::min(nearest, map.distance(at(std::size_t(j)), place));
                           });
         return nearest;
     }
@@ -195,21 +208,23 @@ template<int dim> struct GasBand<dim>::Chains
 
 template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::size_t owned)
 {
-    const double *const m = store.component(Mass::info.name, 0), *const ambient = store.component(Ambient::info.name, 0);
+    const double* const m = store.component(Mass::info.name, 0);
+    const Kinds kinds(*this, store);
     const Chains chains(map_, store, owned, room_);
     std::vector<std::uint8_t> goes(owned, 0);
     const auto isPressed = [&](std::size_t i)
     {
         return chains.gap(chains.at(i), leastGapWithin * spacing_,
-                          [&](std::size_t j) { return j != i && !goes[j] && ambient[j] == Ambient::stands; }) < leastGapWithin * spacing_;
+                          [&](std::size_t j)
+                          { return j != i && !goes[j] && kinds.ambient(j) == Ambient::stands; }) < leastGapWithin * spacing_;
     };
     for (std::size_t i = 0; i < owned; ++i)
     {
-        if (!isGas(store, i)) continue;
+        if (!kinds.isGas(i)) continue;
         const auto cell = map_.cellOf(chains.at(i));
         const int d = map_.squaredDistance(cell);
-        if (map_.isEnclosed(cell) && !isHeld(store, i)) continue;
-        goes[i] = d > sqr(width_ + hysteresis) || (ambient[i] > 0 && d > sqr(widthOfMotion_ - 1) && !isHeld(store, i) && isPressed(i));
+        if (map_.isEnclosed(cell) && !kinds.isHeld(i)) continue;
+        goes[i] = d > sqr(width_ + hysteresis) || (kinds.ambient(i) > 0 && d > sqr(widthOfMotion_ - 1) && !kinds.isHeld(i) && isPressed(i));
     }
     // Of a block whose particles are too many for the volume that they fill, the most crowded go.
     for (auto& [block, gas] : blocks(store, chains, owned))
@@ -223,9 +238,13 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
     double gone = 0;
     for (std::size_t i = 0; i < owned; ++i)
         if (!goes[i]) kept.push_back(int(i));
-        else if (!isHeld(store, i)) gone += m[i];
+        else if (!kinds.isHeld(i)) gone += m[i];
     gone_ += ofAllRanks(gone, 0.0, Add{});
-    if (kept.size() == owned) return owned;
+    if (kept.size() == owned)
+    {
+        store.resize(owned); // without images, in whose place something may join
+        return owned;
+    }
     // Volumes are asked for below, and no state.
     double* const V = store.component(Volume::info.name, 0);
     for (std::size_t k = 0; k < kept.size(); ++k) V[k] = V[std::size_t(kept[k])];
@@ -315,15 +334,16 @@ auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, st
 {
     std::map<std::size_t, Block> all;
     if (!knowsVolumes_) return all;
-    const double* const ambient = store.component(Ambient::info.name, 0);
+    const Kinds kinds(*this, store);
+    const double* const V = store.component(Volume::info.name, 0);
     for (std::size_t i = 0; i < owned; ++i)
     {
-        if (!Ambient::isMoving(ambient[i]) || isHeld(store, i)) continue;
+        if (!Ambient::isMoving(kinds.ambient(i)) || kinds.isHeld(i)) continue;
         const auto cell = map_.cellOf(chains.at(i));
         if (map_.squaredDistance(cell) <= sqr(freeWidth_ + keptFrom * (widthOfMotion_ - freeWidth_))) continue;
         auto& block = all[map_.blockOf(cell, cellsOfBlock)];
-        block.excess += 1 - volumeOver(store, i);
-        block.byVolume.emplace_back(volumeOver(store, i), int(i));
+        block.excess += 1 - V[i] / restVolume_;
+        block.byVolume.emplace_back(V[i] / restVolume_, int(i));
     }
     return all;
 }
@@ -343,6 +363,7 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
     if (cells.empty()) return owned;
 
     std::map<std::string, double> values;
+    const Kinds kinds(*this, store);
     for (const auto& evolving : settings.state)
     {
         const auto& name = evolving.value.name;
@@ -352,8 +373,8 @@ template<int dim> std::size_t GasBand<dim>::join(Particles<dim>& particles, std:
         else if (name != Ambient::info.name)
         {
             const double* const q = store.component(name, 0);
-            const auto all = count(owned, [&](std::size_t i) { return isGas(store, i); });
-            values[name] = all == 0 ? 0 : sum(owned, [&](std::size_t i) { return isGas(store, i) ? q[i] : 0.0; }) / double(all);
+            const auto all = count(owned, [&](std::size_t i) { return kinds.isGas(i); });
+            values[name] = all == 0 ? 0 : sum(owned, [&](std::size_t i) { return kinds.isGas(i) ? q[i] : 0.0; }) / double(all);
         }
     }
     joined_ += double(std::ranges::count_if(cells, [&](std::size_t c) { return map_.isRoom(c); })) * values.at(Mass::info.name);

@@ -32,6 +32,7 @@ public:
 
 private:
     struct Chains;
+    struct Kinds;
     LiquidMap map_;
     std::vector<int> room_; ///< of chains
     std::size_t gas_;
@@ -44,9 +45,6 @@ private:
     std::optional<double> start_;  ///< mass of the gas after the first exchange, less what has joined and gone before it [kg]
     double mass_ = 0;              ///< of the gas after the last exchange [kg]
 
-    bool isGas(const FieldStore<dim>&, std::size_t i) const;
-    bool isHeld(const FieldStore<dim>&, std::size_t i) const;
-    double volumeOver(const FieldStore<dim>&, std::size_t i) const;
     void exchange(Particles<dim>&);
     /// Removes gas from beyond the band and where it is crowded, and returns how many particles there are now.
     std::size_t remove(FieldStore<dim>&, std::size_t owned);
@@ -54,7 +52,7 @@ private:
     std::vector<std::size_t> bareCells(const Chains&) const;
     std::vector<std::size_t> sparseCells(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
     std::vector<std::size_t> clear(const std::vector<std::size_t>& cells, const Chains&, double gap) const;
-    /// Ambient gas in the outer three fifths of what moves, by blocks of cells: how many particles it has beyond those that fill its volume at rest, and which, with their volumes over that at rest.
+    /// Ambient gas in the outer three fifths of what moves, by blocks of cells: how many particles it has beyond those that fill its volume at rest, and which, with their volumes over that at rest. Where ranks share the particles, each has blocks of its own.
     struct Block
     {
         double excess = 0;

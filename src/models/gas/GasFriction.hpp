@@ -6,11 +6,7 @@
 /// Delta_x [m] the spacing. Momentum is not kept: a liquid that drives the gas at v over a length L feels rho_gas (r + |v|/l) v L [Pa], to first order in the step. How large r may be: README.md. Verified by
 /// test/unit/gas (a layer that drives the gas round).
 #pragma once
-#include "fields/fieldTags.hpp"
-#include "scene/Particles.hpp"
-#include "scene/TwoLevels.hpp"
-#include <array>
-#include <cmath>
+#include "scene/slowDown.hpp"
 
 namespace sph
 {
@@ -29,30 +25,14 @@ public:
     std::vector<Stage<dim>> stages(JoinPoint place) override
     {
         if (place != JoinPoint::afterKick) return {};
-        return {{"slow gas", "v /= 1 + (r + 2 |v|/Delta_x) dt",
+        return {{"slow gas by friction", "v /= 1 + (r + 2 |v|/Delta_x) dt",
                  [this](Particles<dim>& p, const Substep& step)
                  {
-                     auto& store = p.store();
-                     const double* const phase = store.component(Phase::info.name, 0);
-                     for (const auto& name : {std::string(Velocity::info.name), incrementOf(stateField(Velocity{}))})
-                         if (store.has(name)) slow(store, name, phase, p.size(), step.deltaT);
+                     const double* const phase = p.store().component(Phase::info.name, 0);
+                     slowDown(p, step.deltaT,
+                              [&](std::size_t i, double speed)
+                              { return std::size_t(phase[i]) == gas_ ? 1 / (1 + (rate_ + speed / length_) * step.deltaT) : 1.0; });
                  }}};
-    }
-
-private:
-    void slow(FieldStore<dim>& store, const std::string& name, const double* phase, std::size_t n, double deltaT) const
-    {
-        std::array<double*, dim> v;
-        for (int c = 0; c < dim; ++c) v[std::size_t(c)] = store.component(name, c);
-#pragma omp parallel for schedule(static)
-        for (std::size_t i = 0; i < n; ++i)
-        {
-            if (std::size_t(phase[i]) != gas_) continue;
-            double squared = 0;
-            for (const auto* v_c : v) squared += sqr(v_c[i]);
-            const double slowed = 1 / (1 + (rate_ + std::sqrt(squared) / length_) * deltaT);
-            for (auto* v_c : v) v_c[i] *= slowed;
-        }
     }
 };
 

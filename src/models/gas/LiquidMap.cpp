@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace sph
 {
@@ -13,15 +14,22 @@ namespace
 constexpr double leastFromWall = 0.45;
 }
 
-LiquidMap::LiquidMap(const Geometry& geometry, double spacing, const SceneEnds& ends) : LiquidDistance(geometry, spacing)
+LiquidMap::LiquidMap(const Geometry& geometry, double spacing, SceneEnds ends)
+    : LiquidDistance(geometry, spacing), ends_(std::move(ends)), spacing_(spacing)
 {
     for (auto* each : {&enclosed_, &wasOpen_, &place_}) each->resize(cells());
+    findPlaces();
+}
+
+void LiquidMap::findPlaces()
+{
+    const double least = leastFromWall * spacing_;
 #pragma omp parallel for schedule(dynamic, 1024)
     for (std::size_t c = 0; c < cells(); ++c)
     {
-        const double d = geometry.distance(centre(c)), least = leastFromWall * spacing;
-        const auto [plane, s] = ends.nearest ? ends.nearest(centre(c)) : std::pair<const OpenPlane*, double>{nullptr, Box::infinity};
-        const bool isHeld = plane && !plane->inlet && -s >= ends.sight && -s < ends.depth && d >= least;
+        const double d = geometry_.distance(centre(c));
+        const auto [plane, s] = ends_.nearest ? ends_.nearest(centre(c)) : std::pair<const OpenPlane*, double>{nullptr, Box::infinity};
+        const bool isHeld = plane && !plane->inlet && -s >= ends_.sight && -s < ends_.depth && d >= least;
         place_[c] = d < 0 ? solid : std::min(d, s) >= least ? room : isHeld ? heldUnseen : besideWall;
     }
 }
@@ -32,15 +40,6 @@ std::size_t LiquidMap::blockOf(std::size_t cell, int cells) const
     std::size_t block = 0;
     for (int k = 2; k >= 0; --k) block = block * std::size_t(n_[std::size_t(k)] / cells + 1) + std::size_t(at[std::size_t(k)] / cells);
     return block;
-}
-
-Vector<3> LiquidMap::between(const Vector<3>& a, const Vector<3>& b) const
-{
-    auto d = a - b;
-    for (int k = 0; k < geometry_.dimension; ++k)
-        if (const double length = geometry_.length(k); geometry_.periodic[std::size_t(k)] && std::fabs(d.*component(k)) > 0.5 * length)
-            d.*component(k) -= std::copysign(length, d.*component(k));
-    return d;
 }
 
 void LiquidMap::measure(double reach)

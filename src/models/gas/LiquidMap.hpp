@@ -20,7 +20,10 @@ struct SceneEnds
 class LiquidMap : public LiquidDistance
 {
 public:
-    LiquidMap(const Geometry&, double spacing, const SceneEnds& = {});
+    LiquidMap(const Geometry&, double spacing, SceneEnds = {});
+
+    /// Which cells have room: at first, and again where walls have moved since.
+    void findPlaces();
 
     /// Distances as far as `reach` [spacings], and what is enclosed. All ranks must call it.
     void measure(double reach);
@@ -38,8 +41,8 @@ public:
     int pockets() const { return pockets_; }
     /// Calls f(cell) for a cell and all that touch it.
     template<class F> void forEachAround(std::size_t cell, const F& f) const;
-    /// Vector from b to a, by the shortest way where directions are periodic.
-    Vector<3> between(const Vector<3>& a, const Vector<3>& b) const;
+    /// Distance of two points, by the shortest way where directions are periodic.
+    double distance(const Vector<3>& a, const Vector<3>& b) const { return mag(geometry_.shortest(a - b)); }
     std::size_t bytes() const { return LiquidDistance::bytes() + cells() * (3 * sizeof(std::uint8_t) + sizeof(int)); }
 
 private:
@@ -50,6 +53,8 @@ private:
         heldUnseen,
         solid
     };
+    SceneEnds ends_;
+    double spacing_;
     std::vector<std::uint8_t> enclosed_, wasOpen_, place_;
     std::vector<int> above_; ///< another cell of the region of each, itself for one of them, -1 where there is no gas; kept for its memory
     int pockets_ = 0;

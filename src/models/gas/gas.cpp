@@ -25,7 +25,7 @@ const Choice gas{
      {"none", "left out: the one phase is a liquid, whose free surface has the pressure 0, and the tension `sigma` of the phase"}},
     byScene("calm where all particles are of the lightest phase; else whole"),
     "where the gas is, the lightest phase"};
-const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, atLeast(2.5),
+const Scalar gasBand{"gasBand", Unit{units::none, "supports"}, 3, between(2.5, 40),
                      "width of the band, with `gas band;`: its outer support stands still"},
     gasFriction{"gasFriction", units::none / units::s, 0, nonNegative, "r of a friction of the gas, dv/dt = -(r + 2 |v|/spacing) v"};
 }

@@ -1,4 +1,4 @@
-/// Gas that is left out where nobody asks for its motion: the model.
+/// Gas whose motion nobody asks for: calm, in a band, slowed by a friction, or left out: the model.
 #pragma once
 #include "scene/Model.hpp"
 

@@ -29,6 +29,7 @@ Files files(const std::string& tables)
         all[run + "log.sphFoamLike.again"] = logOfAgain;
         all[run + "postProcessing/conservation/0/conservation.dat"] = conservation;
         all[run + "postProcessing/errors/0/errors.dat"] = errors;
+        all[run + "postProcessing/late/0/late.dat"] = "# Time\tq\n3\t1\n3.1\t2\n3.2\t3\n4\t4\n4.1\t5\n";
         all[run + "postProcessing/errors/2/errors.dat"] = "# Time\tfield\tL2\tvalue\treference\n2\tp\t0.0625\t1\t1\n";
         all[run + "constant/phaseProperties"] = "gas { mu [1 -1 -1 0 0 0 0] 2e-3; }\n";
         all[run + "reference/path.csv"] = all["reference/path.csv"];
@@ -163,6 +164,20 @@ TEST(Figures, NumbersAndRuns)
         firstLine(
             "t { against x; runs (a); lines { name \"t = %.1f\"; of \"$Time\"; every 1; table conservation; } figures ( { name K; value \"$kineticEnergy\"; } ); }"),
         "t = 0.0,K,8,-; t = 1.0,K,18,-");
+    // Of a run that goes on from 3 s: no rows in place of those that it has not.
+    EXPECT_EQ(
+        firstLine(
+            "t { against x; runs (a); lines { name \"%.1f\"; of \"$Time\"; every 1; } table late; figures ( { name q; value \"$q\"; } ); }"),
+        "3.0,q,1,-; 4.0,q,4,-");
+}
+
+// What no comparison orders is neither the largest nor passed over.
+TEST(Figures, NoExtremesOfWhatIsNoNumber)
+{
+    for (const std::string operation : {"min", "max", "farthest"})
+        EXPECT_EQ(figure("table errors; select { field p; } operation " + operation + "; value \"$value\";"),
+                  figure("table errors; select { field p; } operation mean; value \"$value\";"))
+            << operation;
 }
 
 // Between the rows of another table, the first that have the place between them; exact in the order of the path, which turns back.

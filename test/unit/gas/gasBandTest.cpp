@@ -2,7 +2,9 @@
 #include "CaseScene.hpp"
 #include "messages.hpp"
 #include "models/gas/AmbientGas.hpp"
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <set>
 
 namespace sph::test
@@ -113,6 +115,31 @@ TEST(GasBand, PutsNoTwoParticlesInOnePlace)
     }
 }
 
+// Gas that comes to stand has no velocity left, nor one that a corrector would bring back.
+TEST(GasBand, StandsStillInStepsThatPredict)
+{
+    for (const std::string scheme : {"leapfrog", "predictorCorrector", "verlet"})
+    {
+        CaseScene scene(layer("gas band;\nintegration { scheme " + scheme + "; }\n", "(0.3 -1 0)", false));
+        ASSERT_EQ(scene.errors, "");
+        auto& simulation = *scene.simulation;
+        std::size_t standing = 0;
+        for (int k = 0; k < 40; ++k)
+        {
+            advance(simulation, 0.005 * k, 0.005 * (k + 1));
+            const auto U = simulation.field("U");
+            const double* const ambient = scene["ambient"];
+            for (std::size_t i = 0; i < simulation.size(); ++i)
+                if (ambient[i] == Ambient::stands)
+                {
+                    ++standing;
+                    ASSERT_EQ(std::hypot(U.component[0][i], U.component[1][i]), 0) << scheme << " at " << 0.005 * (k + 1);
+                }
+        }
+        EXPECT_GT(standing, 1000u);
+    }
+}
+
 // Liquid that falls in gas at rest, as if there were none: the gas has a thousandth of its density.
 TEST(GasBand, FollowsALayerThatFalls)
 {
@@ -187,6 +214,25 @@ TEST(GasFriction, IsThatOfTheGasAloneWhichTheLiquidDrives)
     };
     EXPECT_NEAR(shareOfExact("0.1"), 1, 0.2);
     EXPECT_NEAR(shareOfExact("0.02"), 1, 0.06);
+}
+
+// Backward Euler with a friction: v_1 = s (v_0 + dt g), and x_1 = x_0 + dt v_1 as without it.
+TEST(SlowDown, IsFeltByPositionsOfImplicitSteps)
+{
+    CaseScene scene(layer("integration { scheme implicit; tolerance 1e-9; damping { rate 100; until 1; } }\n", "(0 -1 0)", false));
+    ASSERT_EQ(scene.errors, "");
+    auto& simulation = *scene.simulation;
+    const auto mean = [&](const double* q) { return std::accumulate(q, q + simulation.size(), 0.0) / double(simulation.size()); };
+    const double deltaT = 2e-3, s = std::exp(-100 * deltaT), start = mean(simulation.positions().component[1]);
+    double v = 0, way = 0;
+    for (int k = 0; k < 10; ++k)
+    {
+        simulation.step(k * deltaT, deltaT);
+        v = s * (v - deltaT);
+        way += deltaT * v;
+    }
+    EXPECT_NEAR(mean(simulation.field("U").component[1]), v, 1e-9);
+    EXPECT_NEAR(mean(simulation.positions().component[1]) - start, way, 1e-11);
 }
 
 TEST(GasFriction, RefusesWhatItCannotGoWith)

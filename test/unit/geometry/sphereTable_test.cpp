@@ -31,7 +31,8 @@ Table table(const std::string& text)
 TEST(SphereTable, ReadsWhatOtherCodesWrite)
 {
     for (const std::string text :
-         {"x,y,z,radius\n0.1,0.2,0.3,0.05\n0.4,0.5,0.6,0.04\n", "#format x_y_z_r\n0.1 0.2 0.3 0.05\n0.4\t0.5\t0.6\t0.04\n",
+         {"x,y,z,radius\n0.1,0.2,0.3,0.05\n0.4,0.5,0.6,0.04\n", "\xEF\xBB\xBFx,y,z,r\n0.1,0.2,0.3,0.05\n0.4,0.5,0.6,0.04\n",
+          "#format x_y_z_r\n0.1 0.2 0.3 0.05\n0.4\t0.5\t0.6\t0.04\n",
           "ITEM: TIMESTEP\n1000\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp ff\n0 1\n0 1\n0 1\n"
           "ITEM: ATOMS id x y z vx radius \n1 0.1 0.2 0.3 0 0.05 \n2 0.4 0.5 0.6 0 0.04 \n",
           "\"Diameter\", Z, Y, X\r\n0.1, 0.3, 0.2, 0.1\r\n\r\n0.08, 0.6, 0.5, 0.4\r\n"})

@@ -34,7 +34,7 @@ TEST(Walls, surviveWritingAndReading)
         const auto again = readWalls(dict, Resolution{.spacing = 1e-3, .where = {}});
         dict.reportUnused();
         EXPECT_NO_THROW(diagnostics->throwIfAny());
-        EXPECT_EQ(wallsText(again, wallsStamp(dict)), written);
+        EXPECT_EQ(wallsText(again, dict.get<std::string>("stamp")), written);
         EXPECT_EQ(again.patches.size(), g.patches.size());
         EXPECT_EQ(again.reach, g.reach);
         EXPECT_EQ(again.walls[0].wets, g.walls[0].wets);

@@ -139,6 +139,11 @@ TEST(CloneCase, RefusesWhatIsWrong)
               "system/variantsDict:1: \"walls.left\" goes: it can have no value here");
     EXPECT_EQ(message("\"system/controlDict\" { endTime; }"),
               "system/variantsDict:1: \"endTime\" needs a value, or ~ ahead of it where it is to go");
+    EXPECT_FALSE(c.has("run/wrong")) << "what looks like the variant would be run as it";
+    EXPECT_EQ(refusal(c, "wrong-"), "system/variantsDict: \"wrong-\" names no variant behind its last -");
+    c.write("system/variantsDict", "other 3;\n");
+    EXPECT_EQ(refusal(c, "other"),
+              "system/variantsDict:1: is no variant: a variant is a dictionary of files, { \"system/controlDict\" { .. } }");
 }
 
 }
