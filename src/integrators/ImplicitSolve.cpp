@@ -255,16 +255,9 @@ template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particl
 {
     const auto& store = std::as_const(particles).store();
     const auto r = particles.store().pointers(DelayedImpulse{});
-    const double* m = store.component(Mass::info.name, 0);
+    const double* const m = store.component(Mass::info.name, 0);
     const std::size_t n = particles.size();
-    if (!particles.held().empty()) // what is held takes no part
-    {
-        freeMass_.assign(m, m + n);
-        for (const int i : particles.held()) freeMass_[std::size_t(i)] = 0;
-        m = freeMass_.data();
-    }
     const double mass = sum(n, [&](std::size_t i) { return m[i]; });
-    if (!(mass > 0)) return;
     std::array<double, dim> mean;
     for (int c = 0; c < dim; ++c) mean[c] = sum(n, [&](std::size_t i) { return m[i] * r[c][i]; }) / mass;
     if (viscous_ && !particles.geometry().patches.empty()) measureWallRates(particles, mass);
@@ -280,8 +273,6 @@ template<int dim> void ImplicitSolve<dim>::delayResidual(Particles<dim>& particl
         for (const int i : particles.held()) change_[c][i] = 0;
     }
     averageInBoxes<dim>(r, store.pointers(Position{}), m, n, boxSize * particles.coefficients().support);
-    for (int c = 0; c < dim; ++c)
-        for (const int i : particles.held()) r[c][i] = 0;
 }
 
 template<int dim> void ImplicitSolve<dim>::solveSteady(Particles<dim>& particles)

@@ -64,7 +64,6 @@ public:
 private:
     class Matrix;
 
-    Array freeMass_;                           ///< of the owned particles, 0 of what is held, where something is [kg]
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
     const bool withPressure_, viscous_, followsForces_;
     int iterations_ = 0;

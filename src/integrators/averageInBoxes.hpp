@@ -10,7 +10,7 @@ namespace sph
 {
 
 /// u_i = sum_b m_j u_j/sum_b m_j over the particles j of the box b that holds x_i; boxes of `size` [m] begin at the origin. The sum of m u over each
-/// box stays, and what is uniform stays as it is; in a box without mass all does. Where ranks share the particles, each averages over its own.
+/// box stays, and what is uniform stays as it is. Where ranks share the particles, each averages over its own.
 template<int dim>
 void averageInBoxes(const std::array<double*, dim>& u, const std::array<const double*, dim>& x, const double* mass, std::size_t n,
                     double size)
@@ -42,7 +42,6 @@ void averageInBoxes(const std::array<double*, dim>& u, const std::array<const do
     for (std::size_t i = 0; i < n; ++i)
     {
         const auto& sums = sumsAt(i);
-        if (!(sums.mass > 0)) continue;
         store(1 / sums.mass * sums.momentum, [&](int c, double value) { u[std::size_t(c)][i] = value; });
     }
 }

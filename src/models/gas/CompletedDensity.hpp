@@ -56,6 +56,7 @@ struct CompletedVolume
 struct UniformNormalisation
 {
     using Provides = GradientScale;
+    using ReadsOwn = Fields<Volume>;
     double N_0;
 
     explicit UniformNormalisation(const Coefficients& c) : N_0(c.of<FlatSurface>().normalisation) {}

@@ -5,6 +5,7 @@
 ///    ambient (AmbientGas.hpp), and stands still in the outer support of the band.
 ///  * Places of a cubic lattice in the part that stands still are filled where no particle is nearer than 0.9 spacings. A region that liquid has just enclosed is
 ///    filled likewise, and keeps its gas from then on.
+///  * Cells have room where walls leave it; where some move they are asked for anew.
 ///  * What openings hold is theirs: it goes where it is as far from the liquid, and beyond outlets, out of the scene's sight, gaps are filled as above.
 ///  * Of ambient gas in the outer three fifths of what moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
 #pragma once

@@ -2,8 +2,8 @@
 ///
 ///   dv/dt = a - (r + |v|/l) v      v_1 = v/(1 + (r + |v|/l) dt),  v = v_0 + dt a,  l = Delta_x/2
 ///
-/// behind the kick of each step: however long steps are a steady slow motion has v = a/r, and no particle goes farther than l in one. v [m/s] of the gas alone, in both levels where there are two; r [1/s];
-/// Delta_x [m] the spacing. Momentum is not kept: a liquid that drives the gas at v over a length L feels rho_gas (r + |v|/l) v L [Pa], to first order in the step. How large r may be: README.md. Verified by
+/// behind the kick of each step: however long steps are a steady slow motion has v = a/r (from two levels (1 + r dt)/(1 + r dt/2) of it), and no particle goes farther than l in one. v [m/s] of the gas alone, in both levels where there are two; r [1/s];
+/// Delta_x [m] the spacing. Momentum is not kept: a liquid that drives the gas at v over a length L feels rho_gas (r + |v|/l) v L [Pa], within 2 % for r dt up to 0.2 (README.md). How large r may be: README.md. Verified by
 /// test/unit/gas (a layer that drives the gas round).
 #pragma once
 #include "scene/slowDown.hpp"
