@@ -118,22 +118,22 @@ TEST(GasBand, PutsNoTwoParticlesInOnePlace)
 // Gas that comes to stand has no velocity left, nor one that a corrector would bring back.
 TEST(GasBand, StandsStillInStepsThatPredict)
 {
-    for (const std::string scheme : {"leapfrog", "predictorCorrector", "verlet"})
+    for (const std::string scheme : {"leapfrog", "verlet"})
     {
         CaseScene scene(layer("gas band;\nintegration { scheme " + scheme + "; }\n", "(0.3 -1 0)", false));
         ASSERT_EQ(scene.errors, "");
         auto& simulation = *scene.simulation;
         std::size_t standing = 0;
-        for (int k = 0; k < 40; ++k)
+        for (int k = 0; k < 80; ++k)
         {
-            advance(simulation, 0.005 * k, 0.005 * (k + 1));
+            advance(simulation, 0.01 * k, 0.01 * (k + 1));
             const auto U = simulation.field("U");
             const double* const ambient = scene["ambient"];
             for (std::size_t i = 0; i < simulation.size(); ++i)
                 if (ambient[i] == Ambient::stands)
                 {
                     ++standing;
-                    ASSERT_EQ(std::hypot(U.component[0][i], U.component[1][i]), 0) << scheme << " at " << 0.005 * (k + 1);
+                    ASSERT_EQ(std::hypot(U.component[0][i], U.component[1][i]), 0) << scheme << " at " << 0.01 * (k + 1);
                 }
         }
         EXPECT_GT(standing, 1000u);
