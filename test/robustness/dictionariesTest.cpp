@@ -97,7 +97,8 @@ TEST(Dictionaries, StaleWalls)
 {
     Damaged moved;
     moved.replace("constant/geometry", "point (0 1 0)", "point (0 1.1 0)");
-    moved.isRefused("sphFoamLike", {"constant/walls", "does not belong to the present constant/geometry", "meshToGhost"});
+    for (const std::string program : {"sphFoamLike", "sphPostProcess"})
+        moved.isRefused(program, {"constant/walls", "does not belong to the present constant/geometry", "meshToGhost"});
     Damaged refined;
     refined.replace("system/sphSchemes", "spacing 0.05", "spacing 0.025");
     refined.isRefused("sphFoamLike", {"constant/walls", "meshToGhost"});

@@ -82,6 +82,17 @@ TEST(FunctionObjects, librariesThatCannotBeLoadedAreErrors)
     EXPECT_TRUE(said.ends_with("3 errors")) << said;
 }
 
+TEST(FunctionObjects, haveNamesThatAreNoPaths)
+{
+    Functions f;
+    std::ofstream(f.theCase.folder() / "system/named") << "\"../a\" { type conservation; }\n\".b\" { type conservation; }\n";
+    Particles particles(2, {0, 0, 0}, {1, 1, 0}, 0.5);
+    const FunctionObjects functions(f.theCase.dictionary("system/named"), particles.geometry, particles.phases, f.time);
+    const auto said = f.mistakes();
+    EXPECT_NE(said.find("system/named:1: names the folder of its output"), std::string::npos) << said;
+    EXPECT_NE(said.find("system/named:2: names the folder of its output"), std::string::npos) << said;
+}
+
 TEST(FunctionObjects, areDueWhenTheirControlSays)
 {
     // Steps of 0.1, every second step a write time, six steps; which steps have a row is what each control means.

@@ -157,6 +157,17 @@ TEST(Numbers, ofNoParticleAreNaN)
     EXPECT_EQ(n.at(2), 0);
 }
 
+TEST(Numbers, conditionsThatAreNaNDoNotHold)
+{
+    const auto n =
+        numbersOf(square(),
+                  "some { operation sum; value 1; where \"sqrt(0.5 - $x)\"; } same { operation sum; value 1; where \"$x < 0.5\"; } "
+                  "none { operation sum; value 1; where \"0/0*$x\"; }");
+    EXPECT_GT(n.at(0), 0);
+    EXPECT_EQ(n.at(0), n.at(1));
+    EXPECT_EQ(n.at(2), 0);
+}
+
 // A NaN among the particles that count shows in each of them; of one that does not count in none.
 TEST(Numbers, showANaN)
 {
