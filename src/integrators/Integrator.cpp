@@ -76,6 +76,7 @@ const Scalar theta{"theta", units::none, 1,
 
 namespace
 {
+/// The shares of stable steps that the case gives; those of limits that its scheme has not stay as they are, and are errors where they are given (checkStepFactors).
 void readFactors(const Dictionary& dict, Integration& integration)
 {
     auto& f = integration.factors;
