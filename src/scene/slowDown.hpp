@@ -1,7 +1,7 @@
 /// Friction behind the kick of a step: v_1 = s (v_0 + dt a), s a share of each particle.
 ///
 /// Where two levels are kept (TwoLevels.hpp) their increment is slowed with v. Implicit steps move particles by v_0 and dv/dt: there dv/dt <- dv/dt - (1 - s) v/dt, so that positions feel the friction as
-/// velocities do. Verified by test/unit/integrators (Step).
+/// velocities do. Verified by test/unit/gas (SlowDown).
 #pragma once
 #include "fields/fieldTags.hpp"
 #include "scene/Particles.hpp"
@@ -29,7 +29,7 @@ template<int dim> void slowDown(Particles<dim>& particles, double deltaT, const 
         const double s = share(i, std::sqrt(squared));
         for (int c = 0; c < dim; ++c)
         {
-            a[c][i] -= byAcceleration * (1 - s) * v[c][i];
+            if (byAcceleration > 0) a[c][i] -= byAcceleration * (1 - s) * v[c][i];
             v[c][i] *= s;
             if (d[std::size_t(c)]) d[std::size_t(c)][i] *= s;
         }

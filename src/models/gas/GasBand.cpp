@@ -118,7 +118,7 @@ template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
     particles.hold(*this, std::move(held));
 }
 
-template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t owned) const
+template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t begin, std::size_t end) const
 {
     auto& store = particles.store();
     const auto x = store.pointers(Position{});
@@ -129,7 +129,7 @@ template<int dim> void GasBand<dim>::mark(Particles<dim>& particles, std::size_t
          {std::string(Velocity::info.name), Evolving{stateField(Velocity{})}.startName(), incrementOf(stateField(Velocity{}))})
         for (int c = 0; store.has(name) && c < dim; ++c) velocities.push_back(store.component(name, c));
 #pragma omp parallel for schedule(static)
-    for (std::size_t i = 0; i < owned; ++i)
+    for (std::size_t i = begin; i < end; ++i)
     {
         const auto cell = map_.cellOf(in3D(valueAt<Vector<dim>>(x, i)));
         const double outwards = Ambient::isMoving(ambient[i]) ? widthOfMotion_ + hysteresis : widthOfMotion_,
@@ -155,9 +155,10 @@ template<int dim> void GasBand<dim>::exchange(Particles<dim>& particles)
     }
     if (particles.movingWalls().any()) map_.findPlaces();
     map_.measure(width_ + hysteresis);
-    mark(particles, owned); // as it was at the last exchange: one at the same positions, as a restart makes it, changes nothing
-    owned = join(particles, remove(store, owned));
-    mark(particles, owned);
+    mark(particles, 0, owned); // before anything goes: an exchange at the same positions, as a restart makes it, then changes nothing
+    const std::size_t kept = remove(store, owned);
+    owned = join(particles, kept);
+    mark(particles, kept, owned);
     particles.setSize(owned);
 
     const double* const m = store.component(Mass::info.name, 0);

@@ -61,7 +61,8 @@ private:
     };
     std::map<std::size_t, Block> blocks(const FieldStore<dim>&, const Chains&, std::size_t owned) const;
     std::size_t join(Particles<dim>&, std::size_t owned);
-    void mark(Particles<dim>&, std::size_t owned) const;
+    /// Says of the particles from `begin` to `end` whether they stand, move or are free.
+    void mark(Particles<dim>&, std::size_t begin, std::size_t end) const;
     void hold(Particles<dim>&) const;
 };
 
