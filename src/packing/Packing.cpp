@@ -266,6 +266,9 @@ Packing pack(const PackingPlan& plan)
 
     packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, around, relaxed)
                                           : relaxIn<2>(plan, packing.particleVolume, around, relaxed);
+    const auto& sealed = packing.relaxation.sealed;
+    allPlaces.fluid += sealed.added - sealed.takenOut;
+    packing.particleVolume = packing.volume.value / double(allPlaces.fluid);
     checkDistances(plan, packing.relaxation, relaxed);
     checkRelaxation(plan, packing.relaxation);
 

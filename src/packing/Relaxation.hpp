@@ -46,6 +46,14 @@ struct CrowdedParticle
     double residual;
 };
 
+/// Particles that walls keep from all others, since no way of the width of a particle leads out: below a rod that lies in a fillet, or between coarse grains. How many the lattice has put there they stay, however the
+/// packing relaxes, and a pocket of five cells' area that has room for four would be at a pressure of its own.
+struct SealedPockets
+{
+    std::size_t pockets = 0;
+    std::size_t added = 0, takenOut = 0; ///< particles, until each pocket is as dense as the whole
+};
+
 struct RelaxationResult
 {
     KernelResidual before, after;
@@ -56,10 +64,11 @@ struct RelaxationResult
     double closestPair = 0;                 ///< [m]
     std::array<std::size_t, 2> closest{};   ///< the particles of that pair; the same twice where an image of itself is nearest
     std::vector<CrowdedParticle> crowded{}; ///< at the end
+    SealedPockets sealed{};
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are
-/// neighbours in memory, and inside the periodic faces. Those `around` stay where they are: they are seen and not counted. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
+/// neighbours in memory, and inside the periodic faces; sealed pockets have lost or got some by then, where anything relaxes and not along lines. Those `around` stay where they are: they are seen and not counted. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
 /// threads.
 template<int dim>
 RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, const Points& around,

@@ -91,6 +91,10 @@ std::string report(const PackingPlan& plan, const Packing& packing)
         s += fmt::format(
             "Crevices narrower than {:g} spacings: {:.3g} % of the fluid's volume, {} places; no particle fits in, and the others have that volume\n",
             narrowestCrevice, 100 * packing.shareOfCrevices, packing.inCrevices);
+    if (const auto& sealed = packing.relaxation.sealed; sealed.added + sealed.takenOut)
+        s += fmt::format(
+            "Sealed pockets: {}, with no way out as wide as a particle; {} particles were put into such and {} taken out, so that all are as dense as the rest\n",
+            sealed.pockets, sealed.added, sealed.takenOut);
     if (std::fabs(ratio - 1) > 0.1) s += "         far from 1: the spacing does not resolve the gaps between the walls\n";
     if (!packing.balls.empty()) s += bed(plan, packing);
     s += residuals(plan, packing.relaxation);

@@ -51,39 +51,26 @@ void LiquidMap::measure(double reach)
 /// Cells that share a face are joined, each with those before it along every direction, as trees whose roots are regions.
 void LiquidMap::findEnclosed()
 {
-    constexpr int closed = -1;
-    above_.resize(cells());
-    for (std::size_t c = 0; c < cells(); ++c) above_[c] = squaredDistance(c) <= 1 || place_[c] == solid ? closed : int(c);
-    const auto rootOf = [&](int c)
-    {
-        while (above_[std::size_t(c)] != c) c = above_[std::size_t(c)] = above_[std::size_t(above_[std::size_t(c)])];
-        return c;
-    };
-    const auto join = [&](std::size_t a, std::size_t b)
-    {
-        if (above_[a] == closed || above_[b] == closed) return;
-        const int one = rootOf(int(a)), other = rootOf(int(b));
-        above_[std::size_t(std::max(one, other))] = std::min(one, other);
-    };
+    regions_.reset(cells(), [&](std::size_t c) { return squaredDistance(c) > 1 && place_[c] != solid; });
     std::size_t stride = 1;
     for (std::size_t k = 0; k < std::size_t(geometry_.dimension); ++k)
     {
         const std::size_t n = std::size_t(n_[k]), whole = stride * n;
         for (std::size_t begin = 0; begin < cells(); begin += whole)
         {
-            for (std::size_t c = begin + stride; c < begin + whole; ++c) join(c - stride, c);
-            for (std::size_t c = begin; geometry_.periodic[k] && c < begin + stride; ++c) join(c, c + whole - stride);
+            for (std::size_t c = begin + stride; c < begin + whole; ++c) regions_.join(c - stride, c);
+            for (std::size_t c = begin; geometry_.periodic[k] && c < begin + stride; ++c) regions_.join(c, c + whole - stride);
         }
         stride = whole;
     }
     std::map<int, std::size_t> sizes; // by root
-    int lastRoot = closed;
+    int lastRoot = -1;
     std::size_t* ofLast = nullptr;
     for (std::size_t c = 0; c < cells(); ++c)
     {
-        if (above_[c] == closed) continue;
-        above_[c] = rootOf(int(c));
-        if (above_[c] != lastRoot) ofLast = &sizes[lastRoot = above_[c]];
+        if (!regions_.isIn(c)) continue;
+        const int root = regions_.rootOf(c);
+        if (root != lastRoot) ofLast = &sizes[lastRoot = root];
         ++*ofLast;
     }
     const auto largest = std::ranges::max_element(sizes, {}, [](const auto& region) { return region.second; });
@@ -91,7 +78,7 @@ void LiquidMap::findEnclosed()
     for (std::size_t c = 0; c < cells(); ++c)
     {
         wasOpen_[c] = hasMeasured_ && !enclosed_[c];
-        enclosed_[c] = above_[c] != closed && above_[c] != largest->first;
+        enclosed_[c] = regions_.isIn(c) && regions_.rootOf(c) != largest->first;
     }
     hasMeasured_ = true;
 }

@@ -2,6 +2,7 @@
 ///
 /// Gas is enclosed where its cells, joined by their faces, do not lead to the largest such region; what is narrower than three cells between liquids or a liquid and a wall leads nowhere.
 #pragma once
+#include "base/JoinedTrees.hpp"
 #include "geometry/OpenPlane.hpp"
 #include "models/gas/LiquidDistance.hpp"
 #include <functional>
@@ -56,7 +57,7 @@ private:
     SceneEnds ends_;
     double spacing_;
     std::vector<std::uint8_t> enclosed_, wasOpen_, place_;
-    std::vector<int> above_; ///< another cell of the region of each, itself for one of them, -1 where there is no gas; kept for its memory
+    JoinedTrees regions_; ///< of cells of gas that share faces
     int pockets_ = 0;
     bool hasMeasured_ = false;
 

@@ -1,6 +1,6 @@
 #include "models/tension/FreeBodies.hpp"
+#include "base/JoinedTrees.hpp"
 #include "fields/freeSurfaceTags.hpp"
-#include <numeric>
 
 namespace sph
 {
@@ -18,28 +18,19 @@ template<int dim> void FreeBodies<dim>::find(const Particles<dim>& particles)
     const std::size_t n = particles.size();
     const double *const number = store.component(ParticleNumber::info.name, 0), *const ghosts = store.component(GhostsSeen::info.name, 0);
 
-    std::vector<int> root(n);
-    std::iota(root.begin(), root.end(), 0);
-    const auto rootOf = [&](int i)
-    {
-        while (root[std::size_t(i)] != i) i = root[std::size_t(i)] = root[std::size_t(root[std::size_t(i)])];
-        return i;
-    };
+    JoinedTrees trees;
+    trees.reset(n);
     const std::size_t last = particles.images().nullParticle();
     typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < n; ++i)
         for (const int j : particles.lists().of(i, room))
-        {
-            if (std::size_t(j) >= last) continue;
-            const int a = rootOf(int(i)), b = rootOf(int(number[j]));
-            root[std::size_t(std::max(a, b))] = std::min(a, b);
-        }
+            if (std::size_t(j) < last) trees.join(i, std::size_t(number[j]));
     body_.resize(n);
     touches_.clear();
     std::vector<int> of(n, -1);
     for (std::size_t i = 0; i < n; ++i)
     {
-        int& body = of[std::size_t(rootOf(int(i)))];
+        int& body = of[std::size_t(trees.rootOf(i))];
         if (body < 0)
         {
             body = int(touches_.size());
