@@ -50,6 +50,15 @@ class Check
         std::vector<std::pair<double, std::string>> rows; ///< minus the overlap, and the rows
     };
     std::map<int, Merged> merged_; ///< by the wall of the later ball
+
+    /// Balls that are there twice.
+    struct Twice
+    {
+        int count = 0;
+        Vector<3> at;                                     ///< the first of them
+        std::vector<std::pair<double, std::string>> rows; ///< of tables, in the order in which they are found
+    };
+    std::map<int, Twice> twice_; ///< by the wall of the later ball
     GeometryReport report_;
 
     const TriangleSurface& samples(int patch)
@@ -322,6 +331,15 @@ class Check
             ++report_.walls[wallA].contacts;
             if (wallA != wallB) ++report_.walls[wallB].contacts;
         };
+        if (approach.same)
+        {
+            if (!isOnce(approach.at)) return;
+            auto& twice = twice_[std::max(wallA, wallB)];
+            if (twice.count == 0) twice.at = approach.at;
+            if (const auto rows = rowsOf(a, b); !rows.empty()) twice.rows.emplace_back(twice.count, rows);
+            ++twice.count;
+            return;
+        }
         if (approach.crossing && approach.wedge < 89 && (!bothBalls || isOnce(approach.at)))
         {
             if (approach.overlap > 0 && approach.overlap <= mostOverlap)
@@ -412,6 +430,12 @@ class Check
             if (overlap.ofBody) diagnostics_.error(last.where, what);
             else diagnostics_.warning(last.where, what);
         }
+        for (const auto& [wall, twice] : twice_)
+            diagnostics_.error(g_.walls[wall].where,
+                               fmt::format("{} of wall \"{}\" {} there twice, at {}{}. Periodic faces make their copies by themselves",
+                                           twice.count > 1 ? fmt::format("{} spheres", twice.count) : "a sphere", g_.walls[wall].name,
+                                           twice.count > 1 ? "are" : "is", text(g_, twice.at),
+                                           twice.rows.empty() ? "" : ": " + named(twice.rows)));
         for (const auto& [wall, merged] : merged_)
             diagnostics_.warning(
                 g_.walls[wall].where,

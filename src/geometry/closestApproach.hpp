@@ -14,6 +14,7 @@ struct Approach
     double wedge = 180; ///< sharpest angle of the fluid where they cross [degrees]
     /// The depth to which a ball reaches into the other solid, over its diameter; of two balls over the smaller diameter.
     double overlap = 0;
+    bool same = false; ///< two balls in one place, of one radius, to a thousandth of it; exact twins are one (repeatPeriodically)
 };
 
 /// Search within the domain. `samples` are points of the surface of `a` there, `size` their distance from each other. Balls

@@ -138,6 +138,11 @@ TEST(SphereTable, NamesTheRowsThatOverlap)
                                                    how)))
             << warnings;
     }
+    const auto twice = check(rows + "0.5,0.5,0.500001,0.1\n", file).first;
+    EXPECT_TRUE(contains(twice, "constant/geometry:2: a sphere of wall \"bed\" is there twice, at (0.5 0.5 0.5")) << twice;
+    EXPECT_TRUE(contains(twice, ": constant/bed.csv:2 and :4")) << twice;
+    const auto behind = check(rows + "0.01,0.8,0.8,0.1\n1.010001,0.8,0.8,0.1\n", file).first; // its copy behind the periodic face
+    EXPECT_TRUE(contains(behind, ": constant/bed.csv:4 and :5")) << behind;
     std::string many = "x,y,z,r\n";
     for (const double y : {0.1, 0.3, 0.5, 0.7, 0.9})
         for (const double z : {0.2, 0.7}) many += fmt::format("0.5,{0},{1},0.06\n0.6,{0},{1},0.06\n", y, z);
