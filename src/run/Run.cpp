@@ -264,7 +264,15 @@ int Run::solve()
         }
         else if (end) monitor_->checkEnergy();
         else monitor_->checkEnergySometimes();
-        sample(writeTime, end);
+        try
+        {
+            sample(writeTime, end);
+        }
+        catch (const CaseError&)
+        {
+            if (writeTime && !ranks()) write(); // a mistake of a function object that only shows at the end takes no state with it
+            throw;
+        }
         if (writeTime) write();
         // Steps are many and cheap: one report a second, and one for each time folder.
         if (const double now = ofFirst(clock_.clockTime()); writeTime || end || now - lastReport >= 1)

@@ -242,6 +242,19 @@ TEST(Runs, TwoInOneCase)
     EXPECT_FALSE(c.has(".lock"));
 }
 
+// A field that does not exist shows when the function object first runs, which may be at the end: the state of the end is written before the error ends the run, and sphPostProcess can go on with it.
+TEST(Runs, WhoseFunctionObjectFailsAtTheEnd)
+{
+    const Damaged c;
+    c.replace(
+        "system/controlDict", "endTime 0.04",
+        "functions { late { type reduction; executeControl onEnd; numbers { n { operation mean; value \"$nope\"; } } } }\nendTime 0.04");
+    const auto outcome = c.run("sphFoamLike");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("nope"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(c.folder() / "0.04/lagrangian/sph/U"));
+}
+
 TEST(Runs, WithAnEndThatIsPast)
 {
     Damaged c;
