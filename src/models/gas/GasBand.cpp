@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <limits>
 
 namespace sph
 {
@@ -70,15 +71,10 @@ template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
                      knowsVolumes_ = true;
                  }}};
     if (place == JoinPoint::afterKick)
-        return {{"slow gas", "v /= 1 + 0.03 s^2 dt (p_b/rho_0)^(1/2)/dx of ambient gas",
-                 [this](Particles<dim>& p, const Substep& step)
-                 {
-                     const double* const ambient = p.store().component(Ambient::info.name, 0);
-                     const auto& k = p.coefficients();
-                     const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
-                     slowDown(p, step.deltaT,
-                              [&](std::size_t i, double) { return 1 / (1 + step.deltaT * rate * sqr(Ambient::share(ambient[i]))); });
-                 }}};
+        return {{"slow gas",
+                 fmt::format("v /= 1 + 0.03 s^2 dt (p_b/rho_0)^(1/2)/dx of ambient gas{}",
+                             solvesPressure_ ? "; |v| of gas at most 0.9 of what flow allows for this step, or that of the liquid" : ""),
+                 [this](Particles<dim>& p, const Substep& step) { slow(p, step.deltaT); }}};
     if (place == JoinPoint::solve && solvesPressure_)
         return {{"soften gas", "(1 - s) dp/drho of ambient gas",
                  [](Particles<dim>& p, const Substep&)
@@ -89,6 +85,29 @@ template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
                      for (std::size_t i = 0; i < p.size(); ++i) stiffness[i] *= 1 - Ambient::share(ambient[i]);
                  }}};
     return {};
+}
+
+template<int dim> void GasBand<dim>::slow(Particles<dim>& particles, double deltaT) const
+{
+    const auto& store = particles.store();
+    const double *const ambient = store.component(Ambient::info.name, 0), *const phase = store.component(Phase::info.name, 0);
+    const auto isGas = [&](std::size_t i) { return phase[i] == double(gas_); };
+    const auto& k = particles.coefficients();
+    const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
+    double fastest = std::numeric_limits<double>::infinity();
+    if (solvesPressure_)
+    {
+        const auto v = store.pointers(Velocity{});
+        const double ofLiquid = most(particles.size(), [&](std::size_t i) { return isGas(i) ? 0 : mag(valueAt<Vector<dim>>(v, i)); });
+        fastest =
+            std::max(0.9 * particles.settings().integration.factors.flow * 0.5 * k.support / deltaT, ofAllRanks(ofLiquid, 0.0, Larger{}));
+    }
+    slowDown(particles, deltaT,
+             [&](std::size_t i, double speed)
+             {
+                 if (!isGas(i)) return 1.0;
+                 return std::min(1 / (1 + deltaT * rate * sqr(Ambient::share(ambient[i]))), fastest / speed);
+             });
 }
 
 /// What particles are, until the store is resized.

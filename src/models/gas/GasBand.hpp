@@ -7,6 +7,8 @@
 ///    filled likewise, and keeps its gas from then on.
 ///  * Cells have room where walls leave it; where some move they are asked for anew.
 ///  * What openings hold is theirs: it goes where it is as far from the liquid, and beyond outlets, out of the scene's sight, gaps are filled as above.
+///  * Where pressure is solved for, no gas is faster than 0.9 of s h/dt (models/pressure, limit by flow), or than the fastest liquid where that is more: single particles of it, which menisci that meet press out between
+///    them, do not shorten the steps of all. What it loses so is a thousandth of what the liquid has, by its density.
 ///  * Of ambient gas in the outer three fifths of what moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
 #pragma once
 #include "models/gas/LiquidMap.hpp"
@@ -47,6 +49,7 @@ private:
     double mass_ = 0;              ///< of the gas after the last exchange [kg]
 
     void exchange(Particles<dim>&);
+    void slow(Particles<dim>&, double deltaT) const;
     /// Removes gas from beyond the band and where it is crowded, and returns how many particles there are now.
     std::size_t remove(FieldStore<dim>&, std::size_t owned);
     /// Cells for gas that joins, the same on all ranks.
