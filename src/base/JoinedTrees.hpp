@@ -1,4 +1,4 @@
-/// Which of n elements are joined to one another, by joining two at a time: each names another of its own, and the least of them itself, the root.
+/// Elements 0 to n - 1 in groups, which grow by joining two elements at a time. Each names another element of its group; the least one, the root, names itself.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -13,7 +13,7 @@ class JoinedTrees
     std::vector<int> above_;
 
 public:
-    /// `n` elements, each alone; those for which isIn(i) is false are joined to none.
+    /// `n` elements, each alone; those for which isIn(i) is false never join.
     template<class F> void reset(std::size_t n, const F& isIn)
     {
         above_.resize(n);
@@ -26,7 +26,7 @@ public:
 
     bool isIn(std::size_t i) const { return above_[i] != none; }
 
-    /// The least element of those that i, which is in, is joined to.
+    /// The least element of the group of i, which must be in.
     int rootOf(std::size_t i)
     {
         int root = int(i);

@@ -51,12 +51,11 @@ class Check
     };
     std::map<int, Merged> merged_; ///< by the wall of the later ball
 
-    /// Balls that are there twice.
+    /// Balls that are there twice, with their rows of tables or their walls; periodic copies are of the same.
     struct Twice
     {
-        int count = 0;
-        Vector<3> at;                                     ///< the first of them
-        std::vector<std::pair<double, std::string>> rows; ///< of tables, in the order in which they are found
+        Vector<3> at; ///< of the first
+        std::set<std::string> which;
     };
     std::map<int, Twice> twice_; ///< by the wall of the later ball
     GeometryReport report_;
@@ -333,11 +332,12 @@ class Check
         };
         if (approach.same)
         {
-            if (!isOnce(approach.at)) return;
             auto& twice = twice_[std::max(wallA, wallB)];
-            if (twice.count == 0) twice.at = approach.at;
-            if (const auto rows = rowsOf(a, b); !rows.empty()) twice.rows.emplace_back(twice.count, rows);
-            ++twice.count;
+            if (twice.which.empty()) twice.at = approach.at;
+            const auto rows = rowsOf(a, b);
+            twice.which.insert(rows.empty() ? fmt::format("walls \"{}\" and \"{}\"", g_.walls[std::min(wallA, wallB)].name,
+                                                          g_.walls[std::max(wallA, wallB)].name)
+                                            : rows);
             return;
         }
         if (approach.crossing && approach.wedge < 89 && (!bothBalls || isOnce(approach.at)))
@@ -431,11 +431,17 @@ class Check
             else diagnostics_.warning(last.where, what);
         }
         for (const auto& [wall, twice] : twice_)
-            diagnostics_.error(g_.walls[wall].where,
-                               fmt::format("{} of wall \"{}\" {} there twice, at {}{}. Periodic faces make their copies by themselves",
-                                           twice.count > 1 ? fmt::format("{} spheres", twice.count) : "a sphere", g_.walls[wall].name,
-                                           twice.count > 1 ? "are" : "is", text(g_, twice.at),
-                                           twice.rows.empty() ? "" : ": " + named(twice.rows)));
+        {
+            std::vector<std::pair<double, std::string>> which;
+            for (const auto& w : twice.which) which.emplace_back(0, w);
+            diagnostics_.error(
+                g_.walls[wall].where,
+                fmt::format("wall \"{}\" has what is already there, in one place and of one radius to a thousandth, at {}: {}{}",
+                            g_.walls[wall].name, text(g_, twice.at), named(which),
+                            g_.periodic[0] || g_.periodic[1] || g_.periodic[2]
+                                ? ". Copies behind periodic faces are made from the ones before them"
+                                : ""));
+        }
         for (const auto& [wall, merged] : merged_)
             diagnostics_.warning(
                 g_.walls[wall].where,

@@ -118,7 +118,7 @@ Approach closestApproach(const Shape& a, const Shape& b, const Geometry& g, cons
         if (result.crossing) result.wedge = wedgeAngle((sqr(A.R) + sqr(B.R) - sqr(D)) / (2 * A.R * B.R));
         result.overlap = -result.distance / (2 * std::min(A.R, B.R));
         result.same = std::max(D, std::abs(A.R - B.R)) < 1e-3 * A.R;
-        if (result.same) result.at = A.centre;
+        if (result.same) result.at = 0.5 * (A.centre + B.centre);
         return result;
     }
     double overlap = 0;

@@ -150,7 +150,7 @@ Places findPlaces(const PackingPlan& plan, const Lattice& lattice)
     return places;
 }
 
-template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, const Points& around, Points& points)
+template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, const Points& around, Points& points, bool correctsPockets)
 {
     const double spacing = plan.lattice.spacing;
     const Kernel<dim> kernel(plan.kernel, plan.support);
@@ -160,7 +160,37 @@ template<int dim> RelaxationResult relaxIn(const PackingPlan& plan, double V0, c
     auto closed = closedBy(openFaces(plan.geometry, spacing), plan.geometry);
     Diagnostics ofLayers; // there are none of planes
     if (!closed.layers.empty()) closed.layers = makeWallLayers(closed, plan.support, spacing, ofLayers);
-    return relax<dim>(closed, kernel, V0, spacing, *plan.relaxation, around, points);
+    auto settings = *plan.relaxation;
+    settings.correctsPockets = correctsPockets;
+    return relax<dim>(closed, kernel, V0, spacing, settings, around, points);
+}
+
+/// Relaxes, and again where sealed pockets have got or lost particles, so many times at most.
+constexpr int mostRelaxations = 5;
+
+/// `places` becomes their number by then; the volume of a particle is that of the fluid, `volume` [m^dim], over it. The results are of the last relaxation, but for what was before and for sums.
+RelaxationResult relaxAll(const PackingPlan& plan, double volume, std::size_t& places, const Points& around, Points& points)
+{
+    RelaxationResult all;
+    for (int k = 1;; ++k)
+    {
+        const double V0 = volume / double(places);
+        const bool mayCorrect = k < mostRelaxations;
+        auto one = plan.geometry.dimension == 3 ? relaxIn<3>(plan, V0, around, points, mayCorrect)
+                                                : relaxIn<2>(plan, V0, around, points, mayCorrect);
+        places += one.sealed.added - one.sealed.takenOut;
+        const bool isLast = one.sealed.added + one.sealed.takenOut == 0;
+        if (k > 1)
+        {
+            one.before = all.before;
+            one.steps += all.steps;
+            one.centreOfMassDrift += all.centreOfMassDrift;
+            one.sealed = {std::max(all.sealed.pockets, one.sealed.pockets), all.sealed.added + one.sealed.added,
+                          all.sealed.takenOut + one.sealed.takenOut};
+        }
+        all = std::move(one);
+        if (isLast) return all;
+    }
 }
 
 void checkRelaxation(const PackingPlan& plan, const RelaxationResult& relaxation)
@@ -258,16 +288,12 @@ Packing pack(const PackingPlan& plan)
     packing.fittedSpacing = lattice.fittedSpacing;
     auto [relaxed, around, allPlaces] = findPlaces(plan, lattice);
     packing.volume = fluidVolume(g, plan.lattice.spacing / 4);
-    packing.particleVolume = packing.volume.value / double(allPlaces.fluid);
     packing.inCrevices = allPlaces.crevices;
     packing.shareOfCrevices = double(allPlaces.crevices) / double(allPlaces.fluid + allPlaces.crevices);
     const Vector<3> length = box.high - box.low;
     packing.porosity = packing.volume.value / (length.x * length.y * (g.dimension == 3 ? length.z : 1));
 
-    packing.relaxation = g.dimension == 3 ? relaxIn<3>(plan, packing.particleVolume, around, relaxed)
-                                          : relaxIn<2>(plan, packing.particleVolume, around, relaxed);
-    const auto& sealed = packing.relaxation.sealed;
-    allPlaces.fluid += sealed.added - sealed.takenOut;
+    packing.relaxation = relaxAll(plan, packing.volume.value, allPlaces.fluid, around, relaxed);
     packing.particleVolume = packing.volume.value / double(allPlaces.fluid);
     checkDistances(plan, packing.relaxation, relaxed);
     checkRelaxation(plan, packing.relaxation);

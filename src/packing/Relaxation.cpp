@@ -29,9 +29,6 @@ constexpr double largestStep = 0.1;
 /// Particles are kept this many spacings off a wall; relaxed ones stand about half a spacing off.
 constexpr double wallInset = 0.2;
 
-/// Packings are relaxed anew, with other numbers of particles in sealed pockets, so many times at most.
-constexpr int mostRounds = 5;
-
 /// Particles stand on one line where their distances from one another across it are below this [spacings].
 constexpr double sameLine = 1e-6;
 
@@ -274,30 +271,30 @@ public:
         return all;
     }
 
-    /// The points, but with as many of them in each sealed pocket as make it as dense as the whole.
-    Points correctPockets(SealedPockets& sealed)
+    /// The points, with more or fewer of them in sealed pockets that differ from the rest, as they lie now. `sealed` counts them.
+    Points correctPockets(SealedPockets& sealed) const
     {
-        const double* const V = store_.component(Volume::info.name, 0);
-        Points all = points(), corrected;
+        Points corrected;
         std::vector<char> stays(n_, 1);
-        const auto pockets = sealedPockets();
+        const auto [pockets, rest] = sealedPockets();
         sealed.pockets = pockets.size();
         for (const auto& pocket : pockets)
         {
-            double density = 0;
-            for (const auto i : pocket) density += V0_ / V[i] / double(pocket.size());
-            const long n = long(pocket.size()), excess = std::lround(double(n) * (1 - (1 + residual_.overall.mean) / density));
+            const double density = meanSum(pocket);
+            if (std::fabs(density / rest - 1) < pocketsDiffer) continue;
+            const long n = long(pocket.size()), off = std::max(-n, std::lround(double(n) * (1 - rest / density)));
             // Taken out of and put into its whole length alike.
-            for (long k = 0; k < std::abs(excess); ++k)
+            for (long k = 0; k < std::abs(off); ++k)
             {
-                const std::size_t i = pocket[std::size_t((2 * k + 1) * n / (2 * std::abs(excess)) % n)];
-                if (excess > 0) stays[i] = 0;
-                else if (const auto other = nearest(i)) corrected.add(in3D(position(i) + 0.5 * *other));
+                const std::size_t i = pocket[std::size_t((2 * k + 1) * n / (2 * std::abs(off)))];
+                if (off > 0) stays[i] = 0;
+                else if (const auto other = nearest(i))
+                    corrected.add(in3D(position(i) + 0.4 * *other)); // not half-way, where its own may come
             }
         }
-        sealed.added += corrected.size();
+        sealed.added = corrected.size();
         for (std::size_t i = 0; i < n_; ++i)
-            if (stays[i]) corrected.add(all[i]);
+            if (stays[i]) corrected.add(in3D(position(i)));
             else ++sealed.takenOut;
         return corrected;
     }
@@ -317,49 +314,67 @@ private:
         }
     };
 
-    /// Calls f(j, x_j - x_i) for the particles within the support of particle i that have fluid half-way to it, by number; periodic copies count as what they are copies of.
-    template<class F> void forEachBeside(std::size_t i, const F& f) const
+    /// Calls f(j, x_j - x_i) for the particles within the support of particle i, by number, but for images behind walls; periodic copies count as what they are copies of.
+    template<class F> void forEachWithin(std::size_t i, const F& f) const
     {
         const double *const source = store_.component(Source::info.name, 0), *const wall = store_.component(GhostWall::info.name, 0);
-        const double* const distance = store_.component(DistanceToWall::info.name, 0);
-        const double farthest = kernel_.support();
         typename NeighbourLists<dim>::Room room;
         for (const int j : lists_.of(i, room))
         {
             const auto k = std::size_t(j);
             if (k == i || k == images_.nullParticle() || wall[k] != 0) continue;
             const auto between = position(k) - position(i);
-            if (mag(between) > farthest) continue;
-            if (distance[i] > 0.5 * farthest || geometry_.distance(in3D(position(i) + 0.5 * between)) > 0)
-                f(std::size_t(source[k]), between);
+            if (mag(between) <= kernel_.support()) f(std::size_t(source[k]), between);
         }
     }
 
-    /// From particle i to the nearest beside it, if there is one.
+    /// Whether there is fluid half-way from particle i.
+    bool sees(std::size_t i, const Vector<dim>& between) const
+    {
+        return store_.component(DistanceToWall::info.name, 0)[i] > 0.5 * kernel_.support() ||
+               geometry_.distance(in3D(position(i) + 0.5 * between)) > 0;
+    }
+
+    /// From particle i to the nearest that it sees, if there is one.
     std::optional<Vector<dim>> nearest(std::size_t i) const
     {
         std::optional<Vector<dim>> least;
-        forEachBeside(i,
+        forEachWithin(i,
                       [&](std::size_t, const Vector<dim>& between)
                       {
-                          if (!least || mag(between) < mag(*least)) least = between;
+                          if ((!least || mag(between) < mag(*least)) && sees(i, between)) least = between;
                       });
         return least;
     }
 
-    /// Particles of each pocket, in their order: all but the most that are joined to one another, and but those that lead to particles around.
-    std::vector<std::vector<std::size_t>> sealedPockets() const
+    /// Mean of V_0 sum_j W_ij.
+    double meanSum(const std::vector<std::size_t>& particles) const
+    {
+        const double* const V = store_.component(Volume::info.name, 0);
+        double sum = 0;
+        for (const auto i : particles) sum += V0_ / V[i];
+        return sum / double(particles.size());
+    }
+
+    /// Particles of each pocket, in their order, and the mean sum of the rest: the largest number of particles of which each sees another. What sees particles around is no pocket.
+    std::pair<std::vector<std::vector<std::size_t>>, double> sealedPockets() const
     {
         JoinedTrees trees;
         trees.reset(owned_);
-        for (std::size_t i = 0; i < owned_; ++i) forEachBeside(i, [&](std::size_t j, const Vector<dim>&) { trees.join(i, j); });
+        for (std::size_t i = 0; i < owned_; ++i)
+            forEachWithin(i,
+                          [&](std::size_t j, const Vector<dim>& between)
+                          {
+                              if (trees.rootOf(i) != trees.rootOf(j) && sees(i, between)) trees.join(i, j);
+                          });
         std::map<int, std::vector<std::size_t>> joined;
         for (std::size_t i = 0; i < owned_; ++i) joined[trees.rootOf(i)].push_back(i);
         const auto largest = std::ranges::max_element(joined, {}, [](const auto& one) { return one.second.size(); });
+        const double rest = meanSum(largest->second);
         std::vector<std::vector<std::size_t>> pockets;
         for (auto one = joined.begin(); one != joined.end(); ++one)
             if (one != largest && one->second.back() < n_) pockets.push_back(std::move(one->second));
-        return pockets;
+        return {std::move(pockets), rest};
     }
 
     template<class F> void forEach(const F& f) const
@@ -475,32 +490,29 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
                        const Points& around, Points& points)
 {
     RelaxationResult result;
-    for (int round = 1;; ++round)
+    Relaxer<dim> relaxer(geometry, kernel, V0, spacing, around, points, settings.steps > 0);
+    if (settings.alongLines) relaxer.keepLines(*settings.alongLines);
+    relaxer.updateDensity();
+    result.before = result.after = relaxer.residual();
+    while (result.steps < settings.steps && relaxer.scatter() > settings.tolerance)
     {
-        Relaxer<dim> relaxer(geometry, kernel, V0, spacing, around, points, settings.steps > 0);
-        if (settings.alongLines) relaxer.keepLines(*settings.alongLines);
+        std::tie(result.largestShift, result.heldBack) = relaxer.move(biasAt(result.steps, settings), settings.coefficient);
         relaxer.updateDensity();
-        result.after = relaxer.residual();
-        if (round == 1) result.before = result.after;
-        int steps = 0;
-        for (; steps < settings.steps && relaxer.scatter() > settings.tolerance; ++steps)
-        {
-            std::tie(result.largestShift, result.heldBack) = relaxer.move(biasAt(steps, settings), settings.coefficient);
-            relaxer.updateDensity();
-        }
-        result.steps += steps;
-        if (steps) result.after = relaxer.residual();
-        result.crowded = relaxer.crowded();
-        relaxer.findSources();
-        relaxer.findClosestPair(result);
-        result.centreOfMassDrift = relaxer.drift() / spacing;
-        points = relaxer.points();
-        if (steps == 0 || settings.alongLines || round == mostRounds) return result;
-        const auto before = result.sealed.added + result.sealed.takenOut;
-        auto corrected = relaxer.correctPockets(result.sealed);
-        if (result.sealed.added + result.sealed.takenOut == before) return result;
-        points = std::move(corrected);
+        ++result.steps;
     }
+    if (result.steps) result.after = relaxer.residual();
+    result.crowded = relaxer.crowded();
+    relaxer.findSources();
+    relaxer.findClosestPair(result);
+    result.centreOfMassDrift = relaxer.drift() / spacing;
+    if (settings.correctsPockets && points.size() > 0)
+        if (auto corrected = relaxer.correctPockets(result.sealed); result.sealed.added + result.sealed.takenOut > 0)
+        {
+            points = std::move(corrected);
+            return result;
+        }
+    points = relaxer.points();
+    return result;
 }
 
 template RelaxationResult relax<2>(const Geometry&, const Kernel<2>&, double, double, const RelaxationSettings&, const Points&, Points&);

@@ -24,6 +24,7 @@ struct RelaxationSettings
     double tolerance = 1e-3;             ///< scatter of sigma/<sigma> within a support of the walls at which to stop
     std::optional<Vector<3>> alongLines; ///< unit vector: points start on straight lines along it, and each line moves as a whole across it
     double coefficient = 0.3;            ///< C; 0.05 is slow (scatter 0.28 %), 0.2..0.8 reach 0.08..0.11 % on the bed of the unit test
+    bool correctsPockets = false;        ///< at the end, for another relaxation to even out
 };
 
 /// sum_j V_j W_ij - 1 with V_j = w_j V0: what is missing to a partition of unity.
@@ -46,13 +47,14 @@ struct CrowdedParticle
     double residual;
 };
 
-/// Particles that walls keep from all others, since no way of the width of a particle leads out: below a rod that lies in a fillet, or between coarse grains. How many the lattice has put there they stay, however the
-/// packing relaxes, and a pocket of five cells' area that has room for four would be at a pressure of its own.
+/// Sealed pockets: particles that no others see through fluid, as below a rod in a fillet or between coarse grains. No relaxation changes how many there are, and a pocket that the lattice has given five has room for
+/// four, say. Their number is corrected where their mean sum of W differs by more than `pocketsDiffer` from that of the rest.
 struct SealedPockets
 {
-    std::size_t pockets = 0;
-    std::size_t added = 0, takenOut = 0; ///< particles, until each pocket is as dense as the whole
+    std::size_t pockets = 0;             ///< whether corrected or not
+    std::size_t added = 0, takenOut = 0; ///< particles
 };
+inline constexpr double pocketsDiffer = 0.01;
 
 struct RelaxationResult
 {
@@ -68,7 +70,7 @@ struct RelaxationResult
 };
 
 /// `V0` [m^dim] volume of a particle, `spacing` its dim-th root. Points come back sorted by cells, so that neighbours in space are
-/// neighbours in memory, and inside the periodic faces; sealed pockets have lost or got some by then, where anything relaxes and not along lines. Those `around` stay where they are: they are seen and not counted. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
+/// neighbours in memory, and inside the periodic faces, unless `correctsPockets` has put in or taken out some: results are of before that. Those `around` stay where they are: they are seen and not counted. With 0 steps nothing moves and only the residual is measured. The result does not depend on the number of
 /// threads.
 template<int dim>
 RelaxationResult relax(const Geometry&, const Kernel<dim>&, double V0, double spacing, const RelaxationSettings&, const Points& around,

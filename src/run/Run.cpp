@@ -270,7 +270,7 @@ int Run::solve()
         }
         catch (const CaseError&)
         {
-            if (writeTime && !ranks()) write(); // a mistake of a function object that only shows at the end takes no state with it
+            if (writeTime && !ranks()) write(); // a mistake of a function object that shows only now takes no state with it
             throw;
         }
         if (writeTime) write();

@@ -61,6 +61,7 @@ class FunctionObjects
               double now);
     void restore(const Histories&);
     static bool due(const Entry&, const RunTime&, bool writeTime, bool end);
+    static std::vector<std::string> execute(const std::vector<FunctionObject*>&, const ParticleView&);
 
 public:
     FunctionObjects(const Dictionary& functions, const Geometry&, const std::vector<std::string>& phases, const RunTime&);

@@ -197,26 +197,32 @@ bool FunctionObjects::due(const RunTime& time, bool writeTime, bool end) const
 std::vector<std::string> FunctionObjects::execute(const ParticleView& view, const RunTime& time, bool writeTime, bool end)
 {
     using Control = Entry::Control;
-    std::vector<std::string> reports;
+    std::vector<FunctionObject*> now;
     for (auto& entry : entries_)
     {
-        const bool now = due(entry, time, writeTime, end);
+        const bool isDue = due(entry, time, writeTime, end);
         if (entry.control == Control::writeTime && writeTime) ++entry.next; // counts write times
-        if (!now) continue;
-        if (entry.control == Control::runTime) entry.next = nextMultiple(entry.interval, time.value());
-        entry.object->execute(view);
-        if (auto report = entry.object->report(); !report.empty()) reports.push_back(std::move(report));
+        if (entry.control == Control::runTime && isDue) entry.next = nextMultiple(entry.interval, time.value());
+        if (isDue) now.push_back(entry.object.get());
     }
-    return reports;
+    // All of them have been counted by now: where one fails, the state that is written then has the counts of all.
+    return execute(now, view);
 }
 
 std::vector<std::string> FunctionObjects::executeAll(const ParticleView& view)
 {
+    std::vector<FunctionObject*> all;
+    for (auto& entry : entries_) all.push_back(entry.object.get());
+    return execute(all, view);
+}
+
+std::vector<std::string> FunctionObjects::execute(const std::vector<FunctionObject*>& objects, const ParticleView& view)
+{
     std::vector<std::string> reports;
-    for (auto& entry : entries_)
+    for (auto* object : objects)
     {
-        entry.object->execute(view);
-        if (auto report = entry.object->report(); !report.empty()) reports.push_back(std::move(report));
+        object->execute(view);
+        if (auto report = object->report(); !report.empty()) reports.push_back(std::move(report));
     }
     return reports;
 }

@@ -1,6 +1,7 @@
 #include "models/gas/GasBand.hpp"
 #include "models/gas/AmbientGas.hpp"
 #include "parallel/reduce.hpp"
+#include "scene/flowLimit.hpp"
 #include "scene/slowDown.hpp"
 #include <algorithm>
 #include <cmath>
@@ -87,29 +88,6 @@ template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
     return {};
 }
 
-template<int dim> void GasBand<dim>::slow(Particles<dim>& particles, double deltaT) const
-{
-    const auto& store = particles.store();
-    const double *const ambient = store.component(Ambient::info.name, 0), *const phase = store.component(Phase::info.name, 0);
-    const auto isGas = [&](std::size_t i) { return phase[i] == double(gas_); };
-    const auto& k = particles.coefficients();
-    const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
-    double fastest = std::numeric_limits<double>::infinity();
-    if (solvesPressure_)
-    {
-        const auto v = store.pointers(Velocity{});
-        const double ofLiquid = most(particles.size(), [&](std::size_t i) { return isGas(i) ? 0 : mag(valueAt<Vector<dim>>(v, i)); });
-        fastest =
-            std::max(0.9 * particles.settings().integration.factors.flow * 0.5 * k.support / deltaT, ofAllRanks(ofLiquid, 0.0, Larger{}));
-    }
-    slowDown(particles, deltaT,
-             [&](std::size_t i, double speed)
-             {
-                 if (!isGas(i)) return 1.0;
-                 return std::min(1 / (1 + deltaT * rate * sqr(Ambient::share(ambient[i]))), fastest / speed);
-             });
-}
-
 /// What particles are, until the store is resized.
 template<int dim> struct GasBand<dim>::Kinds
 {
@@ -127,6 +105,27 @@ template<int dim> struct GasBand<dim>::Kinds
     bool isHeld(std::size_t i) const { return holder && holder[i] > 0; }
     double ambient(std::size_t i) const { return state[i]; }
 };
+
+template<int dim> void GasBand<dim>::slow(Particles<dim>& particles, double deltaT) const
+{
+    const auto& store = particles.store();
+    const Kinds kinds(*this, store);
+    const auto& k = particles.coefficients();
+    const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
+    double fastest = std::numeric_limits<double>::infinity();
+    if (solvesPressure_)
+    {
+        const auto v = store.pointers(Velocity{});
+        const double ofLiquid = most(particles.size(), [&](std::size_t i) { return kinds.isGas(i) ? 0 : mag(valueAt<Vector<dim>>(v, i)); });
+        fastest = std::max(0.9 * wayByFlow(particles.settings().integration.factors, k.support) / deltaT, ofLiquid);
+    }
+    slowDown(particles, deltaT,
+             [&](std::size_t i, double speed)
+             {
+                 const double s = 1 / (1 + deltaT * rate * sqr(Ambient::share(kinds.ambient(i))));
+                 return kinds.isGas(i) && !kinds.isHeld(i) ? std::min(s, fastest / speed) : s;
+             });
+}
 
 template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
 {

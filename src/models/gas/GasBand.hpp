@@ -7,8 +7,8 @@
 ///    filled likewise, and keeps its gas from then on.
 ///  * Cells have room where walls leave it; where some move they are asked for anew.
 ///  * What openings hold is theirs: it goes where it is as far from the liquid, and beyond outlets, out of the scene's sight, gaps are filled as above.
-///  * Where pressure is solved for, no gas is faster than 0.9 of s h/dt (models/pressure, limit by flow), or than the fastest liquid where that is more: single particles of it, which menisci that meet press out between
-///    them, do not shorten the steps of all. What it loses so is a thousandth of what the liquid has, by its density.
+///  * Where pressure is solved for, no gas but what openings hold is faster than 0.9 of what flow allows for the step (scene/flowLimit.hpp), or than the fastest liquid where that is more: single particles that menisci
+///    press out between them do not shorten the steps of all. Where gas alone binds the steps it loses up to a tenth of its speed in each. Its momentum is lost, a thousandth of the liquid's at equal speed.
 ///  * Of ambient gas in the outer three fifths of what moves, blocks of 4 cells a side whose particles are too many or too few for the volume that they fill, by more than 0.75 of one, lose one or get one in a gap.
 #pragma once
 #include "models/gas/LiquidMap.hpp"

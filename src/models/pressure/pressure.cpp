@@ -3,6 +3,7 @@
 #include "models/pressure/pressureTerms.hpp"
 #include "models/pressure/stableSound.hpp"
 #include "scene/TwoLevels.hpp"
+#include "scene/flowLimit.hpp"
 #include "scene/soundDamping.hpp"
 #include <algorithm>
 #include <cmath>
@@ -139,7 +140,7 @@ std::optional<StepLimit> soundLimit(const Settings& settings, const Measured& me
     const auto& integration = settings.integration;
     const auto& s = integration.factors;
     if (settings.facts.get<ConstitutiveStress>().exists) return {};
-    if (integration.solvesPressure) return StepLimit{s.flow * 0.5 * c.support / measured.maxSpeed, "flow", false, &Velocity::info};
+    if (integration.solvesPressure) return StepLimit{wayByFlow(s, c.support) / measured.maxSpeed, "flow", false, &Velocity::info};
     const double h = 0.5 * c.support, sound = *std::max_element(c.soundSpeed.begin(), c.soundSpeed.end());
     const double soundStep = s.sound * std::min(1.0, heldSound(settings) / StepFactors{}.sound) * h / (sound + measured.maxSpeed);
     double least = std::numeric_limits<double>::infinity();

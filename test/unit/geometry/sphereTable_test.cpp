@@ -139,7 +139,10 @@ TEST(SphereTable, NamesTheRowsThatOverlap)
             << warnings;
     }
     const auto twice = check(rows + "0.5,0.5,0.500001,0.1\n", file).first;
-    EXPECT_TRUE(contains(twice, "constant/geometry:2: a sphere of wall \"bed\" is there twice, at (0.5 0.5 0.5")) << twice;
+    EXPECT_TRUE(contains(
+        twice,
+        "constant/geometry:2: wall \"bed\" has what is already there, in one place and of one radius to a thousandth, at (0.5 0.5 0.5"))
+        << twice;
     EXPECT_TRUE(contains(twice, ": constant/bed.csv:2 and :4")) << twice;
     const auto behind = check(rows + "0.01,0.8,0.8,0.1\n1.010001,0.8,0.8,0.1\n", file).first; // its copy behind the periodic face
     EXPECT_TRUE(contains(behind, ": constant/bed.csv:4 and :5")) << behind;
