@@ -13,6 +13,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 namespace sph
@@ -368,12 +369,14 @@ private:
                               if (trees.rootOf(i) != trees.rootOf(j) && sees(i, between)) trees.join(i, j);
                           });
         std::map<int, std::vector<std::size_t>> joined;
-        for (std::size_t i = 0; i < owned_; ++i) joined[trees.rootOf(i)].push_back(i);
+        for (std::size_t i = 0; i < n_; ++i) joined[trees.rootOf(i)].push_back(i);
+        std::set<int> open;
+        for (std::size_t i = n_; i < owned_; ++i) open.insert(trees.rootOf(i));
         const auto largest = std::ranges::max_element(joined, {}, [](const auto& one) { return one.second.size(); });
         const double rest = meanSum(largest->second);
         std::vector<std::vector<std::size_t>> pockets;
         for (auto one = joined.begin(); one != joined.end(); ++one)
-            if (one != largest && one->second.back() < n_) pockets.push_back(std::move(one->second));
+            if (one != largest && !open.contains(one->first)) pockets.push_back(std::move(one->second));
         return {std::move(pockets), rest};
     }
 
@@ -505,7 +508,7 @@ RelaxationResult relax(const Geometry& geometry, const Kernel<dim>& kernel, doub
     relaxer.findSources();
     relaxer.findClosestPair(result);
     result.centreOfMassDrift = relaxer.drift() / spacing;
-    if (settings.correctsPockets && points.size() > 0)
+    if (settings.correctsPockets && points.size() > 0 && !geometry.patches.empty())
         if (auto corrected = relaxer.correctPockets(result.sealed); result.sealed.added + result.sealed.takenOut > 0)
         {
             points = std::move(corrected);
