@@ -54,7 +54,7 @@ struct SealedPockets
     std::size_t pockets = 0;             ///< whether corrected or not
     std::size_t added = 0, takenOut = 0; ///< particles
 };
-inline constexpr double pocketsDiffer = 0.01;
+inline constexpr double pocketsDiffer = 0.002;
 
 struct RelaxationResult
 {

@@ -93,7 +93,7 @@ std::string report(const PackingPlan& plan, const Packing& packing)
             narrowestCrevice, 100 * packing.shareOfCrevices, packing.inCrevices);
     if (const auto& sealed = packing.relaxation.sealed; sealed.added + sealed.takenOut)
         s += fmt::format(
-            "Sealed pockets: {} that see no others through fluid; {} particles were put into such and {} taken out, until each was as dense as the rest to {:g} %\n",
+            "Sealed pockets: {} that see no others through fluid; {} particles were put into such and {} taken out, until each was as dense as the rest to {:g} % or one particle\n",
             sealed.pockets, sealed.added, sealed.takenOut, 100 * pocketsDiffer);
     if (std::fabs(ratio - 1) > 0.1) s += "         far from 1: the spacing does not resolve the gaps between the walls\n";
     if (!packing.balls.empty()) s += bed(plan, packing);

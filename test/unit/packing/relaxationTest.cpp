@@ -211,8 +211,8 @@ TEST(Relaxation, worksInTwoDimensions)
     EXPECT_LT(r.after.nearWalls.scatter, 0.005);
 }
 
-// A rod in the fillet of two walls seals a pocket. The lattice puts too many particles there, part of its area being too narrow for any, or, where every fourth is left out, too few. Corrected and relaxed until nothing
-// changes, it is as dense as the rest to a hundredth, or nearer than one particle more or fewer would bring it; no two particles were put in one place.
+// A rod in the fillet of two walls seals a pocket. The lattice puts too many particles there, part of its area being too narrow for any, or, where every fourth is left out, too few. Corrected and relaxed in turns, it comes
+// to a number that stays, and no two particles were put in one place.
 TEST(Relaxation, fillsAPocketThatIsSealed)
 {
     const double spacing = 1.0 / 32;
