@@ -1,4 +1,4 @@
-/// How far particles may go in a step whose pressure is solved for: s h, s = 0.2 (`flowFactor`), h half the support.
+/// The flow limit of steps whose pressure is solved for: a particle goes no farther than s h, s = 0.2 (`flowFactor`), h half the support.
 #pragma once
 #include "scene/Settings.hpp"
 
