@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
-#include <limits>
 
 namespace sph
 {
@@ -108,23 +107,23 @@ template<int dim> struct GasBand<dim>::Kinds
 
 template<int dim> void GasBand<dim>::slow(Particles<dim>& particles, double deltaT) const
 {
-    const auto& store = particles.store();
+    auto& store = particles.store();
     const Kinds kinds(*this, store);
     const auto& k = particles.coefficients();
     const double rate = 0.03 * std::sqrt(std::max(0.0, k.backgroundPressure) / k.restDensity[gas_]) / spacing_;
-    double fastest = std::numeric_limits<double>::infinity();
-    if (solvesPressure_)
+    slowDown(particles, deltaT, [&](std::size_t i, double) { return 1 / (1 + deltaT * rate * sqr(Ambient::share(kinds.ambient(i)))); });
+    if (!solvesPressure_) return;
+    const auto v = store.pointers(Velocity{});
+    const double ofLiquid = most(particles.size(), [&](std::size_t i) { return kinds.isGas(i) ? 0 : mag(valueAt<Vector<dim>>(v, i)); });
+    const double fastest = std::max(0.9 * wayByFlow(particles.settings().integration.factors, k.support) / deltaT, ofLiquid);
+#pragma omp parallel for schedule(static)
+    for (std::size_t i = 0; i < particles.size(); ++i)
     {
-        const auto v = store.pointers(Velocity{});
-        const double ofLiquid = most(particles.size(), [&](std::size_t i) { return kinds.isGas(i) ? 0 : mag(valueAt<Vector<dim>>(v, i)); });
-        fastest = std::max(0.9 * wayByFlow(particles.settings().integration.factors, k.support) / deltaT, ofLiquid);
+        if (!kinds.isGas(i) || kinds.isHeld(i)) continue;
+        // Accelerations stay as they are: the limit by force is that of what acts.
+        if (const double speed = mag(valueAt<Vector<dim>>(v, i)); speed > fastest)
+            for (int c = 0; c < dim; ++c) v[c][i] *= fastest / speed;
     }
-    slowDown(particles, deltaT,
-             [&](std::size_t i, double speed)
-             {
-                 const double s = 1 / (1 + deltaT * rate * sqr(Ambient::share(kinds.ambient(i))));
-                 return kinds.isGas(i) && !kinds.isHeld(i) ? std::min(s, fastest / speed) : s;
-             });
 }
 
 template<int dim> void GasBand<dim>::hold(Particles<dim>& particles) const
