@@ -204,24 +204,46 @@ void takeAwayWhatStandsOut(const SolidsPlan& plan, Bed& bed)
     bed.contacts = std::move(contacts);
 }
 
-/// Smaller by the share s about their centroids, solids that overlap by s d are apart.
+/// Share by which solids that touch are made smaller: what is nearer than the tolerance of welding, meshToGhost takes for a contact. Agglomerates may lie hooked in one another, where shrinking hardly parts them.
+double gapBetween(const SolidContainer& c, const Bed& bed)
+{
+    if (std::ranges::all_of(bed.shapes, &SolidShape::isSphere)) return 0;
+    const double width = c.isCylinder ? 2 * c.radius : c.width,
+                 tolerance = 1e-6 * mag(Vector<3>{c.isCylinder ? width : c.length, width, c.height});
+    const double hooked = std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? 1e-3 : 0;
+    return std::max(hooked, 4 * tolerance / std::ranges::min(bed.bodies, {}, &Body::size).size);
+}
+
+/// Each solid smaller about its centroid: by the share that is given, else by what parts it from those that it reaches into. Two that are both smaller by the share s, of sizes whose mean is d, come apart by s d.
 void shrink(const SolidsPlan& plan, Bed& bed)
 {
-    const auto apply = [&](double share)
+    const auto make = [](Body& b, double smaller)
     {
-        for (auto& b : bed.bodies) b.size *= (1 - share) / (1 - bed.shrunk);
-        bed.shrunk = share;
+        b.size *= 1 - smaller;
+        b.shrunk = 1 - (1 - b.shrunk) * (1 - smaller);
     };
-    if (plan.shrink) return apply(*plan.shrink);
-    constexpr double most = 0.1;
-    // Agglomerates may lie hooked in one another, where shrinking hardly parts them: what is nearer than the tolerance of welding meshToGhost takes for a contact.
-    const double apart = std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? 1e-3 : 1e-5;
-    for (double overlap = bed.overlap; overlap > 0; overlap = largestOverlap(plan.container, bed) / bed.meanSize)
+    constexpr double most = 0.1, least = 1e-5;
+    auto overlaps = plan.shrink ? std::vector<Overlap>{} : findOverlaps(plan.container, bed);
+    for (; !overlaps.empty(); overlaps = findOverlaps(plan.container, bed))
     {
-        apply(bed.shrunk + 1.1 * overlap + apart);
-        if (bed.shrunk > most)
-            throw CaseError(plan.where, fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
+        std::vector<double> smaller(bed.bodies.size(), 0);
+        for (const auto& [i, j, depth] : overlaps)
+        {
+            const auto k = std::size_t(i), l = std::size_t(j < 0 ? i : j); // the container does not give way
+            const double d = j < 0 ? 0.5 * bed.bodies[k].size : 0.5 * (bed.bodies[k].size + bed.bodies[l].size);
+            for (const auto m : {k, l}) smaller[m] = std::max(smaller[m], 1.1 * depth / d + least);
+        }
+        for (std::size_t k = 0; k < smaller.size(); ++k)
+        {
+            auto& b = bed.bodies[k];
+            make(b, smaller[k]);
+            if (b.shrunk > most)
+                throw CaseError(plan.where,
+                                fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
+        }
     }
+    const double gap = plan.shrink ? *plan.shrink : gapBetween(plan.container, bed);
+    for (auto& b : bed.bodies) make(b, gap);
 }
 
 void pour(const SolidsPlan& plan, int count, Bed& bed, const Progress& progress)

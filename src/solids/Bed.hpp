@@ -41,6 +41,7 @@ struct Body
     double size = 1; ///< diameter of the sphere of equal volume
     Vector<3> centre;
     Rotation rotation;
+    double shrunk = 0; ///< share of its size that it had more when it was poured
 };
 
 struct Contact
@@ -56,7 +57,6 @@ struct Bed
     double meanSize = 1;
     double time = 0, kineticEnergy = 0; ///< in sqrt(d/g), and mean of a body in m g d
     double overlap = 0;                 ///< largest before shrinking, over the mean size
-    double shrunk = 0;                  ///< share of the size
     double sizeFactor = 1;              ///< by which all sizes differ from those that were asked for
     int takenAway = 0;                  ///< for standing out of the top
     int taps = 0;                       ///< of the container, until the bed was as dense as it was to be
@@ -88,8 +88,16 @@ Vector<3> shortest(const SolidContainer&, Vector<3> difference);
 std::vector<std::pair<int, int>> nearPairs(const SolidContainer&, std::span<const Vector<3>> centres, std::span<const double> reach,
                                            double margin);
 
-/// Depth by which solids reach into one another or into the container, the largest of the bed [m]: of spheres exact; of meshes that of the deepest
-/// point of an edge of one below the surface of the other. 0 where no facets cross.
+/// Depth by which a solid reaches into another, or into the container (j = -1) [m].
+struct Overlap
+{
+    int i, j;
+    double depth;
+};
+
+/// Of spheres exact; of meshes the depth of the deepest point of an edge of one below the surface of the other. None of solids whose facets do not cross.
+std::vector<Overlap> findOverlaps(const SolidContainer&, const Bed&);
+/// The largest depth; 0 without any.
 double largestOverlap(const SolidContainer&, const Bed&);
 
 /// Height below which 90 % of the solids end; of randomClose that of the container [m].

@@ -29,6 +29,7 @@ struct BedMeasures
     double porosity = 1;                    ///< of the middle half of the height, over the whole cross-section, exact but for overlaps
     std::optional<double> corePorosity;     ///< the same a mean size away from the sides, where there is such a place
     double coreError = 0;                   ///< standard error of that
+    double shrunk = 0;                      ///< share of its size that a solid had more when it was poured, the mean of all
     double coordination = 0;                ///< mean number of solids that one touches
     std::optional<double> coreCoordination; ///< the same of those whose centre is in the middle half and 1.5 mean sizes away from the sides
     /// Order of the longest axes of meshes, mean of (3 cos^2 tilt - 1)/2: 1 upright, 0 at random, -1/2 lying; and its standard error at random, 1/sqrt(5 n).

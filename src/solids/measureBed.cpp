@@ -142,6 +142,7 @@ BedMeasures measure(const SolidsPlan& plan, const Bed& bed)
     result.porosity = slices.porosity(low, high);
     measureCore(c, bed, low, high, result);
     if (c.isCylinder) result.shells = radialPorosity(c, bed, low, high);
+    for (const auto& b : bed.bodies) result.shrunk += b.shrunk / double(bed.bodies.size());
     result.coordination = 2 * double(bed.contacts.size()) / double(bed.bodies.size());
     measureGrains(c, bed, low, high, result);
     return result;

@@ -173,12 +173,17 @@ double outside(const SolidContainer& c, std::span<const Vector<3>> points, doubl
 
 }
 
-double largestOverlap(const SolidContainer& c, const Bed& bed)
+std::vector<Overlap> findOverlaps(const SolidContainer& c, const Bed& bed)
 {
     std::vector<PlacedSolid> solids(bed.bodies.size());
     std::vector<Vector<3>> centres;
     std::vector<double> reach;
-    double most = 0;
+    std::vector<Overlap> overlaps;
+    const auto note = [&](int i, int j, double depth)
+    {
+        if (depth > 0) overlaps.push_back({i, j, depth});
+    };
+    constexpr int container = -1;
     for (std::size_t i = 0; i < solids.size(); ++i)
     {
         const auto& b = bed.bodies[i];
@@ -186,13 +191,13 @@ double largestOverlap(const SolidContainer& c, const Bed& bed)
         reach.push_back(bed.reachOf(b));
         if (bed.shapeOf(b).isSphere())
         {
-            most = std::max(most, outside(c, {&b.centre, 1}, 0.5 * b.size));
+            note(int(i), container, outside(c, {&b.centre, 1}, 0.5 * b.size));
             continue;
         }
         solids[i].surface = bed.shapeOf(b).mesh;
         for (auto& p : solids[i].surface.points) p = b.centre + b.size * b.rotation(p);
         solids[i].bounds = boundsOf(solids[i].surface);
-        most = std::max(most, outside(c, solids[i].surface.points, 0));
+        note(int(i), container, outside(c, solids[i].surface.points, 0));
     }
     for (const auto& [i, j] : nearPairs(c, centres, reach, 0))
     {
@@ -200,12 +205,18 @@ double largestOverlap(const SolidContainer& c, const Bed& bed)
         const bool round = bed.shapeOf(bed.bodies[a]).isSphere(), otherRound = bed.shapeOf(bed.bodies[b]).isSphere();
         const auto apart = shortest(c, centres[b] - centres[a]);
         const auto shift = apart - (centres[b] - centres[a]); // of b, to the nearest of its copies
-        if (round && otherRound) most = std::max(most, reach[a] + reach[b] - mag(apart));
-        else if (round) most = std::max(most, meshAndSphere(solids[b], centres[a] - shift, reach[a]));
-        else if (otherRound) most = std::max(most, meshAndSphere(solids[a], centres[b] + shift, reach[b]));
-        else if (shift == Vector<3>{}) most = std::max(most, meshes(solids[a], solids[b]));
-        else most = std::max(most, meshes(solids[a], shifted(solids[b], shift)));
+        if (round && otherRound) note(i, j, reach[a] + reach[b] - mag(apart));
+        else if (round) note(i, j, meshAndSphere(solids[b], centres[a] - shift, reach[a]));
+        else if (otherRound) note(i, j, meshAndSphere(solids[a], centres[b] + shift, reach[b]));
+        else note(i, j, meshes(solids[a], shift == Vector<3>{} ? solids[b] : shifted(solids[b], shift)));
     }
+    return overlaps;
+}
+
+double largestOverlap(const SolidContainer& c, const Bed& bed)
+{
+    double most = 0;
+    for (const auto& o : findOverlaps(c, bed)) most = std::max(most, o.depth);
     return most;
 }
 

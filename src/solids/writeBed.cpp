@@ -56,8 +56,9 @@ std::string report(const SolidsPlan& plan, const Bed& bed, const BedMeasures& m)
     if (m.orientation)
         fmt::format_to(to, "Longest axes: {:+.3f} (1 upright, 0 at random to +- {:.3f}, -0.5 lying)\n", *m.orientation, m.orientationError);
     fmt::format_to(to, "Largest overlap: {:.3g} % of the size", 100 * bed.overlap);
-    if (bed.shrunk > 0)
-        fmt::format_to(to, "; all solids then made {:.3g} % smaller{}", 100 * bed.shrunk, plan.shrink ? "" : ", so that none overlap");
+    if (m.shrunk > 0)
+        text += plan.shrink ? fmt::format("; all solids then made {:.3g} % smaller", 100 * m.shrunk)
+                            : fmt::format("; solids then made smaller until none does, {:.3g} % in the mean", 100 * m.shrunk);
     constexpr double tooMuch = 0.01;
     if (bed.overlap > tooMuch)
         text += "\nWarning: that is more than 1 %. A shape that collides as its convex parts may do so as its \"hull\"";
@@ -114,7 +115,7 @@ std::string gradingText(const SolidsPlan& plan, const Bed& bed)
         for (int k = 0; k <= steps; ++k) sizes.push_back(s.low * std::pow(s.high / s.low, double(k) / steps));
     std::ranges::sort(sizes);
     constexpr double rounding = 1e-9; // what a size has lost on its way
-    const double drawn = bed.sizeFactor * (1 - bed.shrunk) * (1 + rounding);
+    const double drawn = bed.sizeFactor * (1 + rounding);
     double all = 0;
     for (const auto& b : bed.bodies) all += std::pow(b.size, 3);
     std::vector<std::vector<std::string>> rows;
@@ -122,7 +123,7 @@ std::string gradingText(const SolidsPlan& plan, const Bed& bed)
     {
         double finer = 0;
         for (const auto& b : bed.bodies)
-            if (b.size <= d * drawn) finer += std::pow(b.size, 3);
+            if (b.size <= d * drawn * (1 - b.shrunk)) finer += std::pow(b.size, 3);
         rows.push_back({digits(d), digits(finer / all), digits(s.passing(d))});
     }
     return csvText(sizesTable(), rows);
@@ -191,7 +192,7 @@ std::vector<std::string> writeBed(const Case& theCase, const SolidsPlan& plan, c
     write(tables + bedTable().file,
           csvText(bedTable(),
                   {{std::to_string(bed.bodies.size()), digits(bed.meanSize), digits(m.height), digits(m.porosity), digits(m.corePorosity),
-                    std::to_string(bed.contacts.size()), digits(m.coordination), digits(bed.overlap), digits(bed.shrunk),
+                    std::to_string(bed.contacts.size()), digits(m.coordination), digits(bed.overlap), digits(m.shrunk),
                     digits(bed.kineticEnergy), m.corePorosity ? digits(m.coreError) : "", digits(m.coreCoordination), digits(m.orientation),
                     m.orientation ? digits(m.orientationError) : "", std::to_string(bed.taps)}}));
     // Last: what it names is there.

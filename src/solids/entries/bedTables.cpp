@@ -18,7 +18,7 @@ TableInfo bedTable()
          {"coordination", "-", "mean number of contacts of a solid"},
          {"largestOverlap", "-",
           "largest depth by which two solids, or one and the container, reach into one another over the mean size, before they were shrunk"},
-         {"shrunk", "-", "share by which all sizes were then made smaller"},
+         {"shrunk", "-", "share by which solids were then made smaller, the mean of all"},
          {"kineticEnergy", "-", "mean of a solid at the end over m g d"},
          {"corePorosityError", "-", "standard error of corePorosity"},
          {"coreCoordination", "-",
@@ -52,7 +52,7 @@ TableInfo sizesTable()
 {
     return {"solids/sizes",
             "sizes.csv",
-            "grading curve of a bed of several sizes; sizes as they were drawn, before all of them were changed by one factor",
+            "grading curve of a bed of several sizes; sizes as they were drawn, before solids were made smaller",
             {{"size", "m", "diameter, of a mesh that of the sphere of equal volume"},
              {"passing", "-", "share of the bed's mass that is no larger"},
              {"asked", "-", "the same of the distribution"}}};
