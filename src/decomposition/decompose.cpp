@@ -102,7 +102,8 @@ Members membersOf(const Cloud& cloud, int dimension, const Decomposition& d)
 {
     if (cloud.size() < std::size_t(d.parts))
         throw CaseError({decompositionDictionary, 0},
-                        fmt::format("{} parts for the {} particles of {}: take fewer", d.parts, cloud.size(), cloud.folder));
+                        fmt::format("{} parts for the {} particles of {}: {}", d.parts, cloud.size(), cloud.folder,
+                                    cloud.size() ? "take fewer" : "mpirun shares what openings bring without decomposeParticles"));
     std::vector<Vector<3>> places;
     for (std::size_t i = 0; i < cloud.size(); ++i) places.push_back({cloud.x[i], cloud.y[i], cloud.z[i]});
     const auto parts = divide(d.method, dimension, places, std::size_t(d.parts));

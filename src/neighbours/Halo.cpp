@@ -4,6 +4,7 @@
 #include "parallel/reduce.hpp"
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -19,6 +20,15 @@ template<int dim> std::vector<double*> stateOf(FieldStore<dim>& store)
         for (std::size_t c = 0; field.state && c < field.component.size(); ++c) arrays.push_back(store.component(name, int(c)));
     return arrays;
 }
+
+/// Where there is no particle to cut by: all of space for the first rank, and none for the others.
+std::vector<RankBox> allToFirst(int ranks)
+{
+    constexpr double all = std::numeric_limits<double>::infinity();
+    std::vector<RankBox> boxes(std::size_t(ranks), {{all, all, all}, {all, all, all}});
+    boxes[0].low = {-all, -all, -all};
+    return boxes;
+}
 }
 
 template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t owned, std::vector<float> costs)
@@ -28,7 +38,8 @@ template<int dim> void Halo<dim>::cut(const FieldStore<dim>& store, std::size_t 
     std::vector<double> places(3 * owned, 0.0);
     for (std::size_t i = 0; i < owned; ++i)
         for (int c = 0; c < dim; ++c) places[3 * i + std::size_t(c)] = x[std::size_t(c)][i];
-    boxes_ = RankBoxes(all_.cut(dim, places, costs));
+    const bool isEmpty = ofAllRanks(owned, std::size_t(0), Add{}) == 0;
+    boxes_ = RankBoxes(isEmpty ? allToFirst(all_.count()) : all_.cut(dim, places, costs));
     own_ = boxes_.of(all_.rank());
     cuts_.last = clock.clockTime();
     ++cuts_.count;

@@ -13,7 +13,9 @@ WholeCloud::WholeCloud(std::size_t own) : own_(own), size_(own)
 
 const double* WholeCloud::whole(const double* own)
 {
-    if (!ranks() || !own) return own;
+    if (!ranks()) return own;
+    // A rank without particles may have no room for a field that others have.
+    if (ofAllRanks(std::size_t(own != nullptr), std::size_t(0), Add{}) == 0) return nullptr;
     return arrays_.emplace_back(gatherOnFirst<double>(*ranks(), {own, own_})).data();
 }
 

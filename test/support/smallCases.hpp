@@ -57,6 +57,20 @@ inline Files dropCase()
     return files;
 }
 
+/// A liquid without its gas: a drop on the floor, and one in flight across the sides, which ends at its own momentum alone.
+inline Files dropsAloneCase()
+{
+    auto files = dropCase();
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 3; kernel wendlandC2; }\ngas none;\nintegration { scheme predictorCorrector; }\n";
+    files["system/packParticlesDict"] =
+        "lattice cubic; jitter 0.1;\nfill\n(\n    { region sphere; centre (0.5 0 0); radius 0.35; phase liquid; U (1 0 0); }\n"
+        "    { region sphere; centre (0 0.7 0); radius 0.25; phase liquid; U (-1 0 0); }\n    { region sphere; centre (1 0.7 0); radius 0.25; phase "
+        "liquid; U (-1 0 0); }\n);\n";
+    files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.05; soundSpeed 20; sigma 1; }\n";
+    return files;
+}
+
 /// The channel full of powder in a binder, which migrates as far as it is sheared, from a disordered start.
 inline Files suspensionCase()
 {
@@ -174,6 +188,21 @@ inline Files dripCase()
         "drip\n{\n    type drip;\n    points ((0.5 1 0));\n    radius 0.15;\n    normal (0 -1 0);\n    flowRate 0.12;\n    phase water;\n}\nsky\n{\n    "
         "type outlet;\n    point (0 1 0);\n    normal (0 -1 0);\n    backflow gas;\n}\ndrain\n{\n    type outlet;\n    point (0 0 0);\n    normal (0 1 "
         "0);\n    backflow gas;\n}\n";
+    return files;
+}
+
+/// A liquid without its gas drips into what is empty at the start, and leaves below.
+inline Files dripAloneCase()
+{
+    auto files = dripCase();
+    files["system/sphSchemes"] =
+        "resolution { spacing 0.05; support 2.6; kernel wendlandC2; }\ngas none;\nintegration { scheme implicit; tolerance 1e-7; }\n";
+    files["system/packParticlesDict"] = "lattice cubic; allowEmpty yes; fill ( { region all; phase none; } );\n";
+    files["constant/phaseProperties"] = "phases (water); water { rho 100; mu 1; soundSpeed 80; sigma 4; }\n";
+    files["constant/openings"] =
+        "drip\n{\n    type drip;\n    points ((0.5 1 0));\n    radius 0.15;\n    normal (0 -1 0);\n    flowRate 2.4;\n    phase water;\n}\n"
+        "drain\n{\n    type outlet;\n    point (0 0.4 0);\n    normal (0 1 0);\n}\n";
+    files["system/controlDict"] += "functions { energies { type conservation; executeControl runTime; executeInterval 0.01; } }\n";
     return files;
 }
 

@@ -16,7 +16,6 @@
 #include "models/tension/tensionTerms.hpp"
 #include "models/tension/wettingLaws.hpp"
 #include "operators/operatorTerms.hpp"
-#include "parallel/Ranks.hpp"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -259,9 +258,6 @@ void readFreeSurface(const Reading& reading)
     settings.define<CountGhosts>("countGhosts", [](const Coefficients&) { return CountGhosts{}; });
     reading.select("countGhosts");
     settings.runningModels.push_back(running<FreeBodies>());
-    if (ranks())
-        reading.schemes.error(
-            "gas", "none is for one process, which knows which liquid is one body: leave -parallel out, or use threads (OMP_NUM_THREADS)");
     if (settings.integration.maxSubSteps > 1)
         reading.schemes.subDictOrEmpty("integration")
             .error("maxSubSteps", "substeps go with surface tension between phases, not with that of `gas none;`");
