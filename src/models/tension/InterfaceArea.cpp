@@ -1,7 +1,9 @@
 #include "models/tension/InterfaceArea.hpp"
+#include "base/JoinedTrees.hpp"
 #include "models/tension/Tensions.hpp"
 #include "parallel/reduce.hpp"
 #include <algorithm>
+#include <fmt/format.h>
 #include <numbers>
 
 namespace sph
@@ -51,6 +53,40 @@ template<int dim> double InterfaceArea<dim>::supply(const Particles<dim>& partic
                                                      });
                    return wetting;
                });
+}
+
+template<int dim> std::string InterfaceArea<dim>::warning(const Particles<dim>& particles)
+{
+    if (warned_) return "";
+    const auto& c = particles.coefficients();
+    const double* const phase = particles.store().pointers(Phase{})[0];
+    const auto x = particles.store().pointers(Position{});
+    const auto at = [&x](std::size_t i) { return valueAt<Vector<dim>>(x, i); };
+    const std::size_t n = particles.size(), phases = c.phases.size();
+    JoinedTrees bodies;
+    bodies.reset(n);
+    typename NeighbourLists<dim>::Room room;
+    for (std::size_t i = 0; i < n; ++i)
+        for (const int j : particles.lists().of(i, room))
+            if (std::size_t(j) < n && phase[j] == phase[i] && mag(at(std::size_t(j)) - at(i)) < reach * c.spacing)
+                bodies.join(i, std::size_t(j));
+    std::vector<std::size_t> size(n, 0);
+    for (std::size_t i = 0; i < n; ++i) ++size[std::size_t(bodies.rootOf(i))];
+    // Of each phase what is in larger bodies, and what is in those of a few
+    std::vector<std::size_t> counts(2 * phases, 0);
+    for (std::size_t i = 0; i < n; ++i) ++counts[std::size_t(phase[i]) + (size[std::size_t(bodies.rootOf(i))] < few ? phases : 0)];
+    counts = ofAllRanks(counts, std::vector<std::size_t>(counts.size(), 0), AddEach{});
+    for (std::size_t k = 0; k < phases; ++k)
+    {
+        const double share = double(counts[phases + k]) / double(std::max<std::size_t>(1, counts[k] + counts[phases + k]));
+        if (!(share > tooMuch)) continue;
+        warned_ = true;
+        return fmt::format(
+            "{} has come apart: {:.0f} % of its particles are in bodies of fewer than {}. The tension of so small bodies means nothing, and may stir them for "
+            "good: a smaller spacing is needed, four at least across the narrowest body that matters",
+            c.phases[k], 100 * share, few);
+    }
+    return "";
 }
 
 template class InterfaceArea<2>;
