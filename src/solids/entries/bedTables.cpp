@@ -52,7 +52,7 @@ TableInfo sizesTable()
 {
     return {"solids/sizes",
             "sizes.csv",
-            "grading curve of a bed of several sizes; sizes as they were drawn, before solids were made smaller",
+            "grading curve of a bed of several sizes; sizes as they were drawn, before they were scaled or made smaller",
             {{"size", "m", "diameter, of a mesh that of the sphere of equal volume"},
              {"passing", "-", "share of the bed's mass that is no larger"},
              {"asked", "-", "the same of the distribution"}}};
