@@ -21,7 +21,7 @@ template<int dim> std::vector<double*> stateOf(FieldStore<dim>& store)
     return arrays;
 }
 
-/// Where there is no particle to cut by: all of space for the first rank, and none for the others.
+/// Boxes of a scene without a particle to cut by: the first rank has all of space, and the others none.
 std::vector<RankBox> allToFirst(int ranks)
 {
     constexpr double all = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
+#include <numeric>
 
 namespace sph
 {
@@ -76,15 +77,16 @@ template<int dim> std::string InterfaceArea<dim>::warning(const Particles<dim>& 
     std::vector<std::size_t> counts(2 * phases, 0);
     for (std::size_t i = 0; i < n; ++i) ++counts[std::size_t(phase[i]) + (size[std::size_t(bodies.rootOf(i))] < few ? phases : 0)];
     counts = ofAllRanks(counts, std::vector<std::size_t>(counts.size(), 0), AddEach{});
+    const double all = double(std::accumulate(counts.begin(), counts.end(), std::size_t(0)));
     for (std::size_t k = 0; k < phases; ++k)
     {
-        const double share = double(counts[phases + k]) / double(std::max<std::size_t>(1, counts[k] + counts[phases + k]));
-        if (!(share > tooMuch)) continue;
+        const double inFew = double(counts[phases + k]), ofPhase = inFew + double(counts[k]);
+        if (!(inFew > tooMuch * ofPhase && ofPhase > negligible * all)) continue;
         warned_ = true;
         return fmt::format(
             "{} has come apart: {:.0f} % of its particles are in bodies of fewer than {}. The tension of so small bodies means nothing, and may stir them for "
             "good: a smaller spacing is needed, four at least across the narrowest body that matters",
-            c.phases[k], 100 * share, few);
+            c.phases[k], 100 * inFew / ofPhase, few);
     }
     return "";
 }

@@ -6,7 +6,7 @@
 /// interfaces, and rising with every particle that strays into the other phase. Walls may give the largest difference of their tensions with the phases, on the
 /// area of the row of particles at them: an upper bound.
 ///
-/// A body of a few particles has no curvature that a kernel sees: what its tension makes of it is noise, which may stir it and all around it for good. Where more than a fifth of a phase is in such bodies, that is warned of;
+/// A body of a few particles has no curvature that a kernel sees: what its tension makes of it is noise, which may stir it and all around it for good. Where more than a fifth of a phase is in such bodies, that is warned of, unless the phase is less than a hundredth of all (gas that a mould has left over);
 /// a body is what lies within 1.5 spacings of one another, on one rank and one side of periodic faces.
 #pragma once
 #include "scene/Particles.hpp"
@@ -20,7 +20,7 @@ template<int dim> class InterfaceArea final : public RunningModel<dim>
 
 public:
     static constexpr std::size_t few = dim == 2 ? 4 : 8;
-    static constexpr double reach = 1.5, tooMuch = 0.2;
+    static constexpr double reach = 1.5, tooMuch = 0.2, negligible = 0.01;
 
     InterfaceArea(Particles<dim>&, const Numbers&) {}
     std::optional<StoredEnergy> energy(const Particles<dim>&) const override;
