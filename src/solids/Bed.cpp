@@ -204,46 +204,60 @@ void takeAwayWhatStandsOut(const SolidsPlan& plan, Bed& bed)
     bed.contacts = std::move(contacts);
 }
 
-/// Share by which solids that touch are made smaller: what is nearer than the tolerance of welding, meshToGhost takes for a contact. Agglomerates may lie hooked in one another, where shrinking hardly parts them.
+/// Share by which solids are parted at least, which shrinking hardly does where agglomerates lie hooked in one another.
+double leastParting(const Bed& bed) { return std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? 1e-3 : 1e-5; }
+
+/// Share by which all are made smaller in the end: what is nearer than the tolerance of welding, meshToGhost takes for a contact.
 double gapBetween(const SolidContainer& c, const Bed& bed)
 {
     if (std::ranges::all_of(bed.shapes, &SolidShape::isSphere)) return 0;
     const double width = c.isCylinder ? 2 * c.radius : c.width,
                  tolerance = 1e-6 * mag(Vector<3>{c.isCylinder ? width : c.length, width, c.height});
-    const double hooked = std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? 1e-3 : 0;
-    return std::max(hooked, 4 * tolerance / std::ranges::min(bed.bodies, {}, &Body::size).size);
+    const double gap = 4 * tolerance / std::ranges::min(bed.bodies, {}, &Body::size).size;
+    return std::ranges::any_of(bed.shapes, &SolidShape::isAgglomerate) ? std::max(gap, leastParting(bed)) : gap;
 }
 
-/// Each solid smaller about its centroid: by the share that is given, else by what parts it from those that it reaches into. Two that are both smaller by the share s, of sizes whose mean is d, come apart by s d.
+void makeSmaller(Body& b, double share)
+{
+    b.size *= 1 - share;
+    b.shrunk = 1 - (1 - b.shrunk) * (1 - share);
+}
+
+/// Those that overlap smaller, by what would part two spheres: both smaller by the share s, of sizes whose mean is d, they come apart by s d.
+void part(Bed& bed, const std::vector<Overlap>& overlaps)
+{
+    std::vector<double> smaller(bed.bodies.size(), 0);
+    for (const auto& [i, j, depth] : overlaps)
+    {
+        const auto k = std::size_t(i), l = std::size_t(j < 0 ? i : j); // the container does not give way
+        const double d = j < 0 ? 0.5 * bed.bodies[k].size : 0.5 * (bed.bodies[k].size + bed.bodies[l].size);
+        for (const auto m : {k, l}) smaller[m] = std::max(smaller[m], 1.1 * depth / d + leastParting(bed));
+    }
+    for (std::size_t k = 0; k < smaller.size(); ++k) makeSmaller(bed.bodies[k], smaller[k]);
+}
+
+/// Each solid smaller about its centroid: by the share that is given, else by what parts it from those that it reaches into, and a little more.
 void shrink(const SolidsPlan& plan, Bed& bed)
 {
-    const auto make = [](Body& b, double smaller)
+    if (plan.shrink)
     {
-        b.size *= 1 - smaller;
-        b.shrunk = 1 - (1 - b.shrunk) * (1 - smaller);
-    };
-    constexpr double most = 0.1, least = 1e-5;
-    auto overlaps = plan.shrink ? std::vector<Overlap>{} : findOverlaps(plan.container, bed);
-    for (; !overlaps.empty(); overlaps = findOverlaps(plan.container, bed))
-    {
-        std::vector<double> smaller(bed.bodies.size(), 0);
-        for (const auto& [i, j, depth] : overlaps)
-        {
-            const auto k = std::size_t(i), l = std::size_t(j < 0 ? i : j); // the container does not give way
-            const double d = j < 0 ? 0.5 * bed.bodies[k].size : 0.5 * (bed.bodies[k].size + bed.bodies[l].size);
-            for (const auto m : {k, l}) smaller[m] = std::max(smaller[m], 1.1 * depth / d + least);
-        }
-        for (std::size_t k = 0; k < smaller.size(); ++k)
-        {
-            auto& b = bed.bodies[k];
-            make(b, smaller[k]);
-            if (b.shrunk > most)
-                throw CaseError(plan.where,
-                                fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
-        }
+        for (auto& b : bed.bodies) makeSmaller(b, *plan.shrink);
+        return;
     }
-    const double gap = plan.shrink ? *plan.shrink : gapBetween(plan.container, bed);
-    for (auto& b : bed.bodies) make(b, gap);
+    constexpr double most = 0.1;
+    const auto find = [&]
+    {
+        if (std::ranges::max(bed.bodies, {}, &Body::shrunk).shrunk > most)
+            throw CaseError(plan.where, fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
+        return findOverlaps(plan.container, bed);
+    };
+    auto overlaps = find();
+    do {
+        for (; !overlaps.empty(); overlaps = find()) part(bed, overlaps);
+        const double gap = gapBetween(plan.container, bed);
+        for (auto& b : bed.bodies) makeSmaller(b, gap);
+        overlaps = find(); // what is hooked may cross anew
+    } while (!overlaps.empty());
 }
 
 void pour(const SolidsPlan& plan, int count, Bed& bed, const Progress& progress)

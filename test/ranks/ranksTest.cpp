@@ -232,7 +232,7 @@ void expectTheSameAnswer(const Scene& scene)
 
 TEST_P(Ranks, GiveTheSameAnswer) { expectTheSameAnswer(GetParam()); }
 
-// Nothing to cut by at the start: the first rank has all of space, until there is.
+// Nothing to cut by at the start: the first rank has all of space. When it is cut again is a matter of processor time, and not asked here.
 TEST(RanksOfAnEmptyScene, GiveTheSameAnswer) { expectTheSameAnswer({"dripAlone", dripAloneCase, 1e-7}); }
 
 // The numbers of a restart are those of the whole, in every folder, and the particles are those of one process.

@@ -430,6 +430,7 @@ TEST(ExtremeScenes, ALiquidThatHasComeApart)
     const std::string said = "Warning: at time 0.02 liquid has come apart: 100 % of its particles are in bodies of fewer than 4";
     EXPECT_NE(run(spray).find(said), std::string::npos);
     EXPECT_EQ(run(drop(0.5, 0.5, 0.2) + drop(0.125, 0.125, 0.03)).find("come apart"), std::string::npos);
+    EXPECT_EQ(run(drop(0.125, 0.15, 0.03)).find("come apart"), std::string::npos); // a hundredth of the scene
 }
 
 }

@@ -65,7 +65,7 @@ inline Files dropsAloneCase()
         "resolution { spacing 0.05; support 3; kernel wendlandC2; }\ngas none;\nintegration { scheme predictorCorrector; }\n";
     files["system/packParticlesDict"] =
         "lattice cubic; jitter 0.1;\nfill\n(\n    { region sphere; centre (0.5 0 0); radius 0.35; phase liquid; U (1 0 0); }\n"
-        "    { region sphere; centre (0 0.7 0); radius 0.25; phase liquid; U (-1 0 0); }\n    { region sphere; centre (1 0.7 0); radius 0.25; phase "
+        "    { region sphere; centre (0 0.6 0); radius 0.2; phase liquid; U (-1 0 0); }\n    { region sphere; centre (1 0.6 0); radius 0.2; phase "
         "liquid; U (-1 0 0); }\n);\n";
     files["constant/phaseProperties"] = "phases (liquid);\nliquid { rho 1; mu 0.05; soundSpeed 20; sigma 1; }\n";
     return files;

@@ -22,7 +22,7 @@ template<int dim> std::vector<Stage<dim>> RunningLabels<dim>::stages(JoinPoint p
 template<int dim> void RunningLabels<dim>::begin(const Particles<dim>& particles)
 {
     const auto& store = particles.store();
-    if (next_ || !store.has(ParticleNumber{})) return;
+    if (next_ || !store.has(NumberOfOrigin{})) return;
     const double* const id = store.component(origId, 0);
     next_ = std::max(0.0, 1 + most(particles.size(), [&](std::size_t i) { return id[i]; }));
 }
@@ -36,7 +36,7 @@ template<int dim> void RunningLabels<dim>::label(Particles<dim>& particles)
         double* const rank = store.component(origProcId, 0);
         std::replace(rank, rank + owned, notYet, double(ranks() ? ranks()->rank() : 0));
     }
-    if (!store.has(ParticleNumber{})) return;
+    if (!store.has(NumberOfOrigin{})) return;
     double* const id = store.component(origId, 0);
     const auto isNew = [&](std::size_t i) { return id[i] == notYet; };
     std::size_t own = 0;

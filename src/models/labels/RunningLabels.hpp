@@ -6,7 +6,7 @@
 namespace sph
 {
 
-struct ParticleNumber
+struct NumberOfOrigin
 {
     static constexpr FieldInfo info{origId, "1"};
     template<int dim, class Real = double> struct At

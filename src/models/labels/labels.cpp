@@ -17,7 +17,7 @@ template<class F> Evolving label(F field)
 /// Number of a particle by its place in the time folder, of which every rank has read a part.
 Evolving number()
 {
-    auto evolving = label(ParticleNumber{});
+    auto evolving = label(NumberOfOrigin{});
     evolving.missing = [](const Loading& loading)
     {
         const auto before = sumOfRanksBefore(loading.size());

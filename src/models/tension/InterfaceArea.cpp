@@ -58,7 +58,6 @@ template<int dim> double InterfaceArea<dim>::supply(const Particles<dim>& partic
 
 template<int dim> std::string InterfaceArea<dim>::warning(const Particles<dim>& particles)
 {
-    if (warned_) return "";
     const auto& c = particles.coefficients();
     const double* const phase = particles.store().pointers(Phase{})[0];
     const auto x = particles.store().pointers(Position{});
@@ -81,8 +80,7 @@ template<int dim> std::string InterfaceArea<dim>::warning(const Particles<dim>& 
     for (std::size_t k = 0; k < phases; ++k)
     {
         const double inFew = double(counts[phases + k]), ofPhase = inFew + double(counts[k]);
-        if (!(inFew > tooMuch * ofPhase && ofPhase > negligible * all)) continue;
-        warned_ = true;
+        if (!(inFew > tooMuch * ofPhase && ofPhase > negligible * all) || !warned_.insert(k).second) continue;
         return fmt::format(
             "{} has come apart: {:.0f} % of its particles are in bodies of fewer than {}. The tension of so small bodies means nothing, and may stir them for "
             "good: a smaller spacing is needed, four at least across the narrowest body that matters",

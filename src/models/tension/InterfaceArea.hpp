@@ -10,13 +10,14 @@
 /// a body is what lies within 1.5 spacings of one another, on one rank and one side of periodic faces.
 #pragma once
 #include "scene/Particles.hpp"
+#include <set>
 
 namespace sph
 {
 
 template<int dim> class InterfaceArea final : public RunningModel<dim>
 {
-    bool warned_ = false;
+    std::set<std::size_t> warned_; ///< phases that have been warned of
 
 public:
     static constexpr std::size_t few = dim == 2 ? 4 : 8;

@@ -68,7 +68,7 @@ const Scalar friction{"friction", units::none, 0.5, nonNegative, "coefficient of
 const AutomaticScalar shrink{
     "shrink", units::none, byScene("automatic"), between(0, 0.1).saying("shrink {} is none of 0 to 0.1"),
     "share by which solids are made smaller in the end, so that surfaces do not cross and the gaps where they touch are resolved; "
-    "automatic: each as much as parts it from others"};
+    "automatic: each as much as parts it from others and the container, of meshes a little more"};
 const Switch level{"level", false, "take away what stands out of the top, which is an error else"};
 }
 
