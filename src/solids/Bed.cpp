@@ -237,27 +237,29 @@ void part(Bed& bed, const std::vector<Overlap>& overlaps)
 }
 
 /// Each solid smaller about its centroid: by the share that is given, else by what parts it from those that it reaches into, and a little more.
-void shrink(const SolidsPlan& plan, Bed& bed)
+void shrink(const SolidsPlan& plan, Bed& bed, std::vector<Overlap> overlaps)
 {
-    if (plan.shrink)
+    const auto makeAllSmaller = [&](double share)
     {
-        for (auto& b : bed.bodies) makeSmaller(b, *plan.shrink);
-        return;
-    }
-    constexpr double most = 0.1;
-    const auto find = [&]
-    {
-        if (std::ranges::max(bed.bodies, {}, &Body::shrunk).shrunk > most)
-            throw CaseError(plan.where, fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
-        return findOverlaps(plan.container, bed);
+        for (auto& b : bed.bodies) makeSmaller(b, share);
     };
-    auto overlaps = find();
-    do {
-        for (; !overlaps.empty(); overlaps = find()) part(bed, overlaps);
+    if (plan.shrink) return makeAllSmaller(*plan.shrink);
+    constexpr double most = 0.1;
+    for (;;)
+    {
+        for (; !overlaps.empty(); overlaps = findOverlaps(plan.container, bed))
+        {
+            part(bed, overlaps);
+            if (std::ranges::max(bed.bodies, {}, &Body::shrunk).shrunk > most)
+                throw CaseError(plan.where,
+                                fmt::format("solids overlap by {:.2g} of their size: shrinking does not part them", bed.overlap));
+        }
         const double gap = gapBetween(plan.container, bed);
-        for (auto& b : bed.bodies) makeSmaller(b, gap);
-        overlaps = find(); // what is hooked may cross anew
-    } while (!overlaps.empty());
+        if (gap == 0) return;
+        makeAllSmaller(gap);
+        overlaps = findOverlaps(plan.container, bed); // what is hooked may cross anew
+        if (overlaps.empty()) return;
+    }
 }
 
 void pour(const SolidsPlan& plan, int count, Bed& bed, const Progress& progress)
@@ -295,15 +297,16 @@ Bed packSolids(const Case& c, const SolidsPlan& plan, const Progress& progress)
 {
     Bed bed;
     for (const auto& s : plan.shapes) bed.shapes.push_back(readSolidShape(c, s, plan.seed));
-    if (plan.randomClose) { packRandomly(plan, bed, progress); }
+    if (plan.randomClose) packRandomly(plan, bed, progress);
     else
     {
         if (plan.filled) pourToHeight(plan, bed, progress);
         else pour(plan, plan.count, bed, progress);
         takeAwayWhatStandsOut(plan, bed);
-        bed.overlap = largestOverlap(plan.container, bed) / bed.meanSize;
     }
-    shrink(plan, bed);
+    auto overlaps = findOverlaps(plan.container, bed);
+    bed.overlap = deepest(overlaps) / bed.meanSize;
+    shrink(plan, bed, std::move(overlaps));
     return bed;
 }
 

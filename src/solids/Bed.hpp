@@ -98,6 +98,7 @@ struct Overlap
 /// Of spheres exact; of meshes the depth of the deepest point of an edge of one below the surface of the other. None of solids whose facets do not cross.
 std::vector<Overlap> findOverlaps(const SolidContainer&, const Bed&);
 /// The largest depth; 0 without any.
+double deepest(const std::vector<Overlap>&);
 double largestOverlap(const SolidContainer&, const Bed&);
 
 /// Height below which 90 % of the solids end; of randomClose that of the container [m].

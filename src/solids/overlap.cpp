@@ -213,11 +213,13 @@ std::vector<Overlap> findOverlaps(const SolidContainer& c, const Bed& bed)
     return overlaps;
 }
 
-double largestOverlap(const SolidContainer& c, const Bed& bed)
+double deepest(const std::vector<Overlap>& overlaps)
 {
     double most = 0;
-    for (const auto& o : findOverlaps(c, bed)) most = std::max(most, o.depth);
+    for (const auto& o : overlaps) most = std::max(most, o.depth);
     return most;
 }
+
+double largestOverlap(const SolidContainer& c, const Bed& bed) { return deepest(findOverlaps(c, bed)); }
 
 }

@@ -239,7 +239,6 @@ void packRandomly(const SolidsPlan& plan, Bed& bed, const Progress& progress)
         bed.bodies[i].size *= unit * bed.sizeFactor;
         bed.bodies[i].rotation = {};
     }
-    bed.overlap = largestOverlap(plan.container, bed) / bed.meanSize;
 
     // Touching: what moved by less than the last step of the compression would close.
     constexpr double touching = 1e-3;
