@@ -108,10 +108,10 @@ public:
     {
         return inertia_ + (lambda_ ? implicit_ * lambda_[i] : 0) + (kappa_ ? sqr(implicit_) * kappa_[i] : 0);
     }
-    /// Readies `applied`, by a pass over all pairs.
-    void apply(Particles<dim>& particles) const
+    /// Readies `applied`, by a pass over all pairs but those of the particles left out.
+    void apply(Particles<dim>& particles, std::span<const std::uint8_t> leftOut) const
     {
-        particles.evaluate(ofSolver);
+        particles.evaluate(ofSolver, 0, leftOut);
         for (const auto& response : {Lp_, Kp_})
             for (double* component : response)
                 if (component)
@@ -201,6 +201,19 @@ template<int dim> void ImplicitSolve<dim>::solve(Particles<dim>& particles, doub
         for (int c = 0; c < dim; ++c) a[c][i] = change_[c][i] / deltaT;
 }
 
+template<int dim> void ImplicitSolve<dim>::findLeftOut(const Particles<dim>& particles)
+{
+    leftOut_.clear();
+    if (!withPressure_) return;
+    const double* const stiffness = particles.store().component(VolumeStiffness::info.name, 0);
+    for (const int i : particles.held())
+    {
+        if (stiffness[i] != 0) continue; // its pressure changes, which others feel
+        leftOut_.resize(particles.size());
+        leftOut_[std::size_t(i)] = 1;
+    }
+}
+
 template<int dim> void ImplicitSolve<dim>::refuseLeaps(const Particles<dim>& particles, double deltaT) const
 {
     const double largest = most(particles.size(), [&](std::size_t i) { return mag(valueAt<Vector<dim>>(change_, i)); });
@@ -218,7 +231,7 @@ template<int dim> void ImplicitSolve<dim>::takeBack(Particles<dim>& particles, d
     const std::size_t n = particles.size();
     const auto a = particles.store().pointers(Acceleration{}), r = particles.store().pointers(DelayedImpulse{});
     for (int c = 0; c < dim; ++c) std::copy_n(change_[c].data(), n, A.p[c]);
-    A.apply(particles);
+    A.apply(particles, leftOut_);
     for (int c = 0; c < dim; ++c)
     {
 #pragma omp parallel for schedule(static)
@@ -311,6 +324,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         for (std::size_t i = 0; i < n; ++i) r[c][i] = (withPressure_ ? r[c][i] : 0) + deltaT * a[c][i];
         for (const int i : particles.held()) r[c][i] = 0;
     }
+    findLeftOut(particles);
     const auto diagonal = [A](std::size_t i) { return A.diagonal(i); };
     const auto applied = [A](int c, std::size_t i) { return A.applied(c, i); };
     const auto norms = [=](std::size_t i)
@@ -323,7 +337,7 @@ template<int dim> void ImplicitSolve<dim>::solveForChange(Particles<dim>& partic
         }
         return Norms{m[i] * r2 / (inertia > 0 ? 1 : sqr(diagonal(i))), m[i] * v2};
     };
-    const auto apply = [&] { A.apply(particles); };
+    const auto apply = [&] { A.apply(particles, leftOut_); };
     const char* const name = withPressure_ ? "the implicit pressure" : "the implicit viscosity";
     const double tolerance = share_ * settings.tolerance;
     double start = 0;
@@ -369,7 +383,7 @@ template<int dim> std::size_t ImplicitSolve<dim>::bytes() const
     std::size_t n = 0;
     for (const auto* arrays : {&change_, &residual_})
         for (const auto& array : *arrays) n += array.capacity() * sizeof(double);
-    return n;
+    return n + leftOut_.capacity();
 }
 
 template class ImplicitSolve<2>;

@@ -65,6 +65,8 @@ private:
     class Matrix;
 
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
+    std::vector<std::uint8_t>
+        leftOut_; ///< what is held and has no stiffness: it answers nothing that moves beside it. Empty where there is none
     const bool withPressure_, viscous_, followsForces_;
     int iterations_ = 0;
     std::array<double, dim> wallRate_{}; ///< gamma [1/s]
@@ -80,6 +82,7 @@ private:
     /// a particle is thrown too far, DivergedError where nothing is finite. Particles
     /// in a buffer, whose dU/dt is 0, keep their velocities.
     void solve(Particles<dim>&, double deltaT);
+    void findLeftOut(const Particles<dim>&);
     /// Throws StepTooLong where dv carries a particle farther than a linear response knows.
     void refuseLeaps(const Particles<dim>&, double deltaT) const;
     /// Sets r, which is dt a + the impulse of the step before - A dv by now, to that impulse.

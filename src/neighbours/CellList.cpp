@@ -38,7 +38,8 @@ template<int dim> void CellList<dim>::build(const std::array<const double*, dim>
         for (double e : extent) product *= std::max(1.0, std::floor(e / s));
         return product;
     };
-    while (*std::max_element(extent.begin(), extent.end()) / side > mostInRow || cells(side) > mostNumbers) side *= 1.5;
+    extent_ = *std::max_element(extent.begin(), extent.end());
+    while (extent_ / side > mostInRow || cells(side) > mostNumbers) side *= 1.5;
     for (int c = 0; c < dim; ++c)
     {
         n_[c] = std::max(1, int(extent[c] / side));
@@ -116,7 +117,6 @@ template<int dim> long CellList<dim>::index(const Cell& a) const
 
 template<int dim> int CellList<dim>::start(long cell) const
 {
-    if (filled_.empty()) return begin_[std::size_t(cell)];
     return begin_[std::size_t(std::lower_bound(filled_.begin(), filled_.end(), cell) - filled_.begin())];
 }
 
@@ -137,16 +137,14 @@ template<int dim> void CellList<dim>::runsAround(const Cell& a, double radius, s
         first[c] = std::max(0, a[c] - reach);
         last[c] = std::min(n_[c] - 1, a[c] + reach);
     }
-    const auto add = [&](Cell b)
+    const auto add = [&](const Cell& row)
     {
-        b[dim - 1] = first[dim - 1];
-        const int begin = start(index(b));
-        b[dim - 1] = last[dim - 1];
-        const int end = start(index(b) + 1);
-        if (begin < end) runs.push_back({begin, end});
+        const long number = index(row), beyond = number + last[dim - 1] - first[dim - 1] + 1;
+        const Run run = filled_.empty() ? Run{begin_[std::size_t(number)], begin_[std::size_t(beyond)]} : Run{start(number), start(beyond)};
+        if (run.begin < run.end) runs.push_back(run);
     };
-    Cell b{};
-    for (b[0] = first[0]; b[0] <= last[0]; ++b[0])
+    Cell b = first;
+    for (; b[0] <= last[0]; ++b[0])
     {
         if constexpr (dim == 2) add(b);
         else

@@ -22,6 +22,9 @@ public:
 
     /// Points by cell; the order within a cell is that of the indices.
     const std::vector<int>& order() const { return order_; }
+    /// The least coordinates of all, and how far they reach in the direction in which they reach farthest.
+    const std::array<double, dim>& low() const { return low_; }
+    double extent() const { return extent_; }
 
     struct Run
     {
@@ -34,6 +37,7 @@ public:
 
 private:
     std::array<double, dim> low_{}, width_{};
+    double extent_ = 0;
     std::array<int, dim> n_{};
     std::vector<int> begin_, order_;
     std::vector<long> filled_; ///< numbers of the cells that hold points, to which begin_ then belongs; empty where every cell is kept
@@ -48,7 +52,7 @@ private:
     void keepEveryCell(const std::array<const double*, dim>& x, std::size_t count, std::size_t cells);
     void keepFilledCells(const std::array<const double*, dim>& x, std::size_t count);
     long index(const Cell&) const;
-    /// The first sorted point whose cell has this number or a higher one.
+    /// The first sorted point whose cell has this number or a higher one, where only filled cells are kept.
     int start(long cell) const;
 };
 

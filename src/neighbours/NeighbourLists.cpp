@@ -1,6 +1,5 @@
 #include "neighbours/NeighbourLists.hpp"
 #include "base/CaseError.hpp"
-#include "neighbours/select.hpp"
 #include "parallel/Stretches.hpp"
 #include <atomic>
 #include <fmt/format.h>
@@ -8,27 +7,38 @@
 namespace sph
 {
 
-template<int dim> void NeighbourLists<dim>::sortPositions(std::size_t total, std::span<double> room)
+template<int dim> void NeighbourLists<dim>::sortPlaces(std::size_t total, std::span<double> room)
 {
+    const std::size_t each = total + SortedPoints<dim>::readBeyond, all = (dim + 1) * each;
+    int* to = reinterpret_cast<int*>(room.data());
+    if (room.size_bytes() < all * sizeof(int))
+    {
+        ownSorted_.resize(all);
+        to = ownSorted_.data();
+    }
+    places_ = WholePlaces<dim>(cells_.low(), cells_.extent(), radius_);
     const auto& order = cells_.order();
     for (int c = 0; c < dim; ++c)
     {
-        double* sorted = room.data() + std::size_t(c) * total;
-        if (room.size() < dim * total)
-        {
-            ownSorted_[c].resize(total);
-            sorted = ownSorted_[c].data();
-        }
+        int* const place = to + std::size_t(c) * each;
 #pragma omp parallel for schedule(static)
-        for (std::size_t k = 0; k < total; ++k) sorted[k] = x_[c][order[k]];
-        sorted_[c] = sorted;
+        for (std::size_t k = 0; k < total; ++k) place[k] = places_(c, x_[c][order[k]]);
+        std::fill_n(place + total, SortedPoints<dim>::readBeyond, 0);
+        sorted_.place[c] = place;
     }
+    int* const index = to + dim * each;
+#pragma omp parallel for schedule(static)
+    for (std::size_t k = 0; k < total; ++k) index[k] = order[k];
+    std::fill_n(index + total, SortedPoints<dim>::readBeyond, 0);
+    sorted_.index = index;
 }
 
 template<int dim> int NeighbourLists<dim>::find(Vector<dim> x, const std::vector<typename CellList<dim>::Run>& runs, int* to) const
 {
+    const auto place = places_(x);
+    const float limit = places_.limit(radius_);
     int n = 0;
-    for (const auto& r : runs) n += selectWithin<dim>(sorted_, cells_.order().data(), r.begin, r.end, x, sqr(radius_), to + n);
+    for (const auto& r : runs) n += selectWithin<dim>(sorted_, r.begin, r.end, place, limit, to + n);
     return n;
 }
 
@@ -65,7 +75,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     nullParticle_ = int(total);
     radius_ = radius;
     x_ = x;
-    sortPositions(total, stored == Stored::yes ? room : std::span<double>());
+    sortPlaces(total, stored == Stored::yes ? room : std::span<double>());
 
     const std::size_t chunks = (owned + chunkSize - 1) / chunkSize;
     chunks_.resize(stored == Stored::yes ? chunks : 0);
@@ -95,7 +105,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     candidates = 0;
                     for (const auto& r : runs) candidates += r.end - r.begin;
                 }
-                if (used + candidates + lanes > indices.size()) indices.resize(used + used / 2 + 8 * candidates + lanes);
+                if (used + candidates + 2 * lanes > indices.size()) indices.resize(used + used / 2 + 8 * candidates + 2 * lanes);
                 beginOf[i % chunkSize] = used;
                 int n = find(x_i, runs, indices.data() + used);
                 if (n > mostNeighbours)
@@ -134,8 +144,8 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     for (std::size_t i = 0; i < seesOthers.size(); ++i) (seesOthers[i] ? border_ : interior_).push_back(int(i));
     if (stored == Stored::yes)
     {
-        for (auto& positions : ownSorted_) positions = Array();
-        std::fill(std::begin(sorted_), std::end(sorted_), nullptr);
+        ownSorted_ = std::vector<int>();
+        sorted_ = {};
         cells_ = {};
     }
     if (crowded < total)

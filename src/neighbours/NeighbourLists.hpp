@@ -4,10 +4,11 @@
 /// found anew in the cells for who asks.
 ///
 /// A list holds the particle itself: sums that include j = i need no extra line, and every difference vanishes. `radius` is the
-/// kernel's support plus a skin.
+/// kernel's support plus a skin; a list may hold what lies farther by 2^-28 of the scene's extent and a millionth of the radius (select.hpp).
 #pragma once
 #include "neighbours/CellList.hpp"
 #include "neighbours/IndexPages.hpp"
+#include "neighbours/select.hpp"
 #include <algorithm>
 #include <span>
 #include <vector>
@@ -105,16 +106,18 @@ public:
     /// Has the processor fetch what is kept of the pairs of a particle, some turns before they are read: each of these streams ends before it would follow.
     void fetchKept(std::size_t i)
     {
-        constexpr int lineOfInts = 16, lineOfDoubles = 8;
         const auto list = within(i);
         const auto kept = slopes(i);
-        for (std::size_t t = 0; t < list.size(); t += lineOfDoubles)
+        const auto fetch = [n = list.size()](const auto* from)
         {
-            if (kept.exact) __builtin_prefetch(kept.exact + t);
-            if (t % lineOfInts) continue;
-            __builtin_prefetch(list.data() + t);
-            if (kept.single) __builtin_prefetch(kept.single + t);
-        }
+            if (!from || n == 0) return;
+            constexpr std::size_t line = 64 / sizeof *from;
+            for (std::size_t t = 0; t < n; t += line) __builtin_prefetch(from + t);
+            __builtin_prefetch(from + n - 1); // they begin anywhere in a line
+        };
+        fetch(list.data());
+        fetch(kept.exact);
+        fetch(kept.single);
     }
     /// Each build of stored lists from now on divides the owned particles into those whose neighbours are all owned, and the others, both ascending: the former
     /// are those that a rank can compute before it has heard of the others.
@@ -144,8 +147,9 @@ private:
     std::vector<Chunk> chunks_; ///< none where lists are not stored
     CellList<dim> cells_;       ///< as sorted_
     std::array<const double*, dim> x_{};
-    std::array<Array, dim> ownSorted_;
-    const double* sorted_[dim]{}; ///< positions in the order of the cells; until the end of the build, where lists are stored
+    WholePlaces<dim> places_;
+    std::vector<int> ownSorted_;
+    SortedPoints<dim> sorted_{}; ///< until the end of the build, where lists are stored
     bool partsInterior_ = false;
     std::vector<int> interior_, border_;
     std::vector<char> seen_;
@@ -161,8 +165,8 @@ private:
     }
     /// Notes who is seen; whether any is not owned.
     bool see(std::span<const int> list);
-    void sortPositions(std::size_t total, std::span<double> room);
-    /// Appends the list of a place in a cell, of which these are the runs around. Returns how many it holds; `to` needs room for 8 more.
+    void sortPlaces(std::size_t total, std::span<double> room);
+    /// Writes the list of a place in a cell, of which these are the runs around. Returns how many it holds; `to` needs room for 16 more.
     int find(Vector<dim> x, const std::vector<typename CellList<dim>::Run>& runs, int* to) const;
     std::span<const int> found(std::size_t i, Room&) const;
 };

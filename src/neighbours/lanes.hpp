@@ -85,7 +85,7 @@ template<int lanes, int parts> constexpr auto compressOrders()
 /// `widened` integers or floats are as many of twice the size, `narrowed` does the reverse; `rounded` doubles are the nearest integers, or the least of all
 /// where there is none.
 /// `bits` of a mask: one a lane, the first the lowest. `compress` moves the lanes of these bits to the front; what follows them is undefined.
-/// `loadFirst` reads 0 < n < lanes elements. `loadPairs` joins the two doubles at each of at(0), at(1) ..., storePairs does the reverse. `unpack` makes
+/// `loadPairs` joins the two doubles at each of at(0), at(1) ..., storePairs does the reverse. `unpack` makes
 /// 8 indices of their codes.
 template<int lanes> struct Lanes;
 
@@ -98,8 +98,6 @@ template<> struct Lanes<2> : detail::AnyLanes<2>
     static unsigned bits(Mask m) { return unsigned(m[0] & 1) | unsigned(m[1] & 2); }
     static Doubles sqrt(Doubles v) { return Doubles{__builtin_sqrt(v[0]), __builtin_sqrt(v[1])}; }
     template<class V> static V compress(V v, unsigned bits) { return V{bits & 1 ? v[0] : v[1], v[1]}; }
-    static Doubles loadFirst(const double* from, int) { return Doubles{*from, 0}; }
-    static Ints loadFirst(const int* from, int) { return Ints{*from, 0}; }
     template<class At> static Doubles loadPairs(const At& at) { return load<Doubles>(at(0)); }
     template<class At> static void storePairs(const At& at, Doubles v) { store(at(0), v); }
 };
@@ -118,8 +116,6 @@ template<> struct Lanes<4> : detail::AnyLanes<4>
     {
         return V(_mm256_permutevar8x32_epi32(__m256i(v), _mm256_load_si256(reinterpret_cast<const __m256i*>(&halfOrders[bits]))));
     }
-    static Doubles loadFirst(const double* from, int n) { return _mm256_maskload_pd(from, __m256i(Longs{0, 1, 2, 3} < long(n))); }
-    static Ints loadFirst(const int* from, int n) { return Ints(_mm_maskload_epi32(from, __m128i(Ints{0, 1, 2, 3} < n))); }
     template<class At> static Doubles loadPairs(const At& at)
     {
         return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(at(0))), _mm_loadu_pd(at(1)), 1);
@@ -159,8 +155,6 @@ template<> struct Lanes<8> : detail::AnyLanes<8>
     static Doubles compress(Doubles v, unsigned bits) { return _mm512_maskz_compress_pd(Mask(bits), v); }
     static Longs compress(Longs v, unsigned bits) { return Longs(_mm512_maskz_compress_epi64(Mask(bits), __m512i(v))); }
     static Ints compress(Ints v, unsigned bits) { return Ints(_mm256_maskz_compress_epi32(Mask(bits), __m256i(v))); }
-    static Doubles loadFirst(const double* from, int n) { return _mm512_maskz_loadu_pd(Mask((1 << n) - 1), from); }
-    static Ints loadFirst(const int* from, int n) { return Ints(_mm256_maskz_loadu_epi32(Mask((1 << n) - 1), from)); }
     template<class At> static Doubles loadPairs(const At& at)
     {
         const auto four = [&](int k) { return Lanes<4>::loadPairs([&](int b) { return at(k + b); }); };
@@ -209,18 +203,41 @@ template<int lanes> struct FloatLanes
     static constexpr int count = lanes;
     static void store(auto* to, Floats v) { std::memcpy(static_cast<void*>(to), &v, sizeof v); }
     static Floats asFloats(auto v) { return __builtin_convertvector(v, Floats); }
-    /// One bit a lane of a comparison, the first the lowest.
-    static unsigned bits(auto mask)
+    /// One bit a lane, the first the lowest, set where a < b.
+    static unsigned less(auto a, auto b)
     {
-#if defined(__AVX512DQ__)
-        if constexpr (lanes == 16) return _mm512_movepi32_mask(__m512i(mask));
+#if defined(__AVX512F__)
+        if constexpr (lanes == 16) return _mm512_cmp_ps_mask(__m512(a), __m512(b), _CMP_LT_OQ);
 #endif
 #if defined(__AVX2__)
-        if constexpr (lanes == 8) return unsigned(_mm256_movemask_ps(__m256(mask)));
+        if constexpr (lanes == 8) return unsigned(_mm256_movemask_ps(_mm256_cmp_ps(__m256(a), __m256(b), _CMP_LT_OQ)));
 #endif
         unsigned all = 0;
-        for (int k = 0; k < lanes; ++k) all |= unsigned(mask[k] & 1) << k;
+        for (int k = 0; k < lanes; ++k) all |= unsigned(a[k] < b[k]) << k;
         return all;
+    }
+    /// Writes those of the integers whose bit is set, next to one another, and returns their number; `to` needs room for all.
+    static int append(int* to, const int* from, unsigned bits)
+    {
+#if defined(__AVX512F__)
+        if constexpr (lanes == 16)
+        {
+            _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(__mmask16(bits), _mm512_loadu_si512(from)));
+            return std::popcount(bits);
+        }
+        else
+#endif
+        {
+            using Half = Lanes<lanes / 2>;
+            int n = 0;
+            for (int k = 0; k < 2; ++k)
+            {
+                const unsigned ofHalf = bits >> k * Half::count & ((1u << Half::count) - 1);
+                Half::store(to + n, Half::compress(Half::template load<typename Half::Ints>(from + k * Half::count), ofHalf));
+                n += std::popcount(ofHalf);
+            }
+            return n;
+        }
     }
 };
 

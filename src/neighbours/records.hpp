@@ -186,27 +186,23 @@ template<int dim, class L = WidestLanes>
     const detail::SingleDifferences<dim, Wide> difference(units, records + particle * size);
     const auto limit = float(sqr(radius)) - typename Wide::Floats{};
     long found = 0;
-    const auto keep = [&](int t, unsigned bits)
-    {
-        L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t), bits));
-        found += std::popcount(bits);
-    };
     const auto within = [&](const auto& listed)
     {
         const auto first = loadFourColumns<Wide>([&](int k) { return records + listed(k) * size; });
         auto square = difference(0, first) * difference(0, first);
         for (int c = 1; c < dim; ++c) square += difference(c, first) * difference(c, first);
-        return Wide::bits(square < limit);
+        return Wide::less(square, limit);
     };
-    constexpr unsigned all = (1u << L::count) - 1;
     int t = 0;
     for (; t + Wide::count <= n; t += Wide::count)
+        found += Wide::append(kept + found, list + t, within([&](int k) { return list[t + k]; }));
+    constexpr unsigned all = (1u << L::count) - 1;
+    if (t < n)
     {
-        const unsigned bits = within([&](int k) { return list[t + k]; });
-        keep(t, bits & all);
-        keep(t + L::count, bits >> L::count);
+        const unsigned bits = within([&](int k) { return list[t + k % L::count]; }) & all;
+        L::store(kept + found, L::compress(L::template load<typename L::Ints>(list + t), bits));
+        found += std::popcount(bits);
     }
-    if (t < n) keep(t, within([&](int k) { return list[t + k % L::count]; }) & all);
     return int(found);
 }
 

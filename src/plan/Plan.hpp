@@ -64,8 +64,9 @@ public:
     /// Binds terms to their arrays; to be called again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
     /// Runs the passes of a group. `kernel` is the scene's, the same for all groups: a group that has its own says so itself. `deltaT` [s] is the step of laws that
-    /// advance a state.
-    void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, std::size_t group = 0, double deltaT = 0);
+    /// advance a state. `leftOut` marks owned particles at which all sums of the group are taken for 0, without a look at their neighbours; none where it is empty.
+    void evaluate(FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&, std::size_t group = 0, double deltaT = 0,
+                  std::span<const std::uint8_t> leftOut = {});
     /// Runs the pair passes of a group of given shares for these particles alone.
     void evaluateAt(std::span<const int> particles, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                     std::size_t group);
@@ -141,7 +142,7 @@ private:
     void keepPairs();
     /// `only`: the particles that the pass is for; all where there is none.
     void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
-                       std::optional<std::span<const int>> only = {});
+                       std::optional<std::span<const int>> only, std::span<const std::uint8_t> leftOut);
     template<class Real> Real* packed() { return reinterpret_cast<Real*>(records_.data()); }
     /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision.
     void pack(const Pass&, FieldStore<dim>&, const PlaceUnits<dim>&, std::size_t begin, std::size_t end);

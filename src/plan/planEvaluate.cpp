@@ -165,7 +165,7 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const PlaceUnits<
 
 template<int dim>
 void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists,
-                              const Kernel<dim>& kernel, std::optional<std::span<const int>> only)
+                              const Kernel<dim>& kernel, std::optional<std::span<const int>> only, std::span<const std::uint8_t> leftOut)
 {
     if (pass.keepsWithin) lists.makeRoomWithin();
     if (pass.keepsSlopes) lists.makeRoomForSlopes(keepsSingleSlopes_);
@@ -179,6 +179,11 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
     const auto* const halo = pass.refresh.empty() ? nullptr : images.halo();
     const auto units = images.placeUnits();
 
+    const auto isNothingAt = [&](std::size_t i)
+    {
+        return (!leftOut.empty() && leftOut[i]) ||
+               (pass.leavesOut && std::ranges::all_of(pass.operations, [&](const auto& o) { return o->isNothingAt(i); }));
+    };
     // The lambda runs over so many particles: the owned ones in order, unless `which` names them.
     constexpr std::size_t ahead = 2;
     const auto over = [&](std::size_t n, const int* which, const auto& k)
@@ -189,7 +194,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
             for (std::size_t place = begin; place < end; ++place)
             {
                 const std::size_t i = which ? std::size_t(which[place]) : place;
-                if (pass.leavesOut && std::ranges::all_of(pass.operations, [&](const auto& o) { return o->isNothingAt(i); }))
+                if (isNothingAt(i))
                 {
                     for (const auto& o : pass.operations) o->clear(i);
                     continue;
@@ -254,7 +259,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
 
 template<int dim>
 void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, NeighbourLists<dim>& lists, const Kernel<dim>& kernel,
-                         std::size_t group, double deltaT)
+                         std::size_t group, double deltaT, std::span<const std::uint8_t> leftOut)
 {
     const auto& g = groups_[group];
     const std::size_t n = images.owned(), block = 512;
@@ -263,7 +268,7 @@ void Plan<dim>::evaluate(FieldStore<dim>& store, const Images<dim>& images, Neig
         countRuns(counts_, g.group.name, pass.entries);
         if (pass.pair())
         {
-            evaluatePairs(pass, store, images, lists, g.kernel ? *g.kernel : kernel);
+            evaluatePairs(pass, store, images, lists, g.kernel ? *g.kernel : kernel, {}, leftOut);
             ++pairPassesRun_;
             continue;
         }
@@ -285,7 +290,7 @@ void Plan<dim>::evaluateAt(std::span<const int> particles, FieldStore<dim>& stor
     for (const auto& pass : groups_[group].passes)
     {
         countRuns(counts_, groups_[group].group.name, pass.entries);
-        evaluatePairs(pass, store, images, lists, kernel, particles);
+        evaluatePairs(pass, store, images, lists, kernel, particles, {});
         ++pairPassesRun_;
     }
 }

@@ -154,9 +154,9 @@ template<int dim> void Particles<dim>::evaluateFirst()
     run(JoinPoint::afterEvaluation);
 }
 
-template<int dim> void Particles<dim>::evaluate(const std::string& group, double deltaT)
+template<int dim> void Particles<dim>::evaluate(const std::string& group, double deltaT, std::span<const std::uint8_t> leftOut)
 {
-    plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT);
+    plan_.evaluate(store_, images_, lists_, kernel_, plan_.group(group), deltaT, leftOut);
 }
 
 template<int dim> void Particles<dim>::evaluateAt(std::span<const int> particles, const std::string& group)

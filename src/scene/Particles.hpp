@@ -22,8 +22,9 @@ public:
 
     /// Evaluates rates and derived fields at the present state: a pure function of the state.
     void evaluate();
-    /// Evaluates a further group of the plan, after an evaluation and at the same positions. `deltaT` [s] is the step of laws that advance a state.
-    void evaluate(const std::string& group, double deltaT = 0);
+    /// Evaluates a further group of the plan, after an evaluation and at the same positions. `deltaT` [s] is the step of laws that advance a state. The
+    /// neighbours of particles that `leftOut` marks are not looked at: their sums are 0.
+    void evaluate(const std::string& group, double deltaT = 0, std::span<const std::uint8_t> leftOut = {});
     /// Evaluates a group of given shares (Group::sharesBy) for these particles alone.
     void evaluateAt(std::span<const int> particles, const std::string& group);
     /// Evaluates all fields at the present state for whoever looks at them, and leaves no trace: what a step reads before it evaluates, and so

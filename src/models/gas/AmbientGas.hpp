@@ -27,7 +27,7 @@ struct Ambient
     static constexpr double moving(double share) { return 1 + share; }
     static constexpr bool isMoving(double ambient) { return ambient > 0 && ambient < stands; }
     /// s
-    static double share(double ambient) { return std::fmax(0.0, std::fmin(1.0, ambient - 1)); }
+    template<class Real> static Real share(Real ambient) { return fmax(Real(0), fmin(Real(1), ambient - 1)); }
     template<int dim, class Real = double> struct At
     {
         Real ambient;
@@ -74,12 +74,13 @@ struct AmbientPressure
     using Adds = Acceleration;
     using Reads = Fields<Pressure, Volume, Ambient>;
     using ReadsOwn = Fields<Mass>;
+    static constexpr bool bearsSingle = true;
     double p_b;
 
     explicit AmbientPressure(const Coefficients& c) : p_b(c.backgroundPressure) {}
     auto operator()(const auto& ij, const auto& i, const auto& j) const
     {
-        const double b_i = p_b * Ambient::share(i.ambient), b_j = p_b * Ambient::share(j.ambient);
+        const auto b_i = p_b * Ambient::share(i.ambient), b_j = p_b * Ambient::share(j.ambient);
         return -1 / i.m * ((i.p - b_i) * sqr(i.V) + (j.p - b_j) * sqr(j.V) + i.V * j.V * (b_j - b_i)) * ij.gradW;
     }
 };

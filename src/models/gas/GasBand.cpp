@@ -206,21 +206,32 @@ template<int dim> struct GasBand<dim>::Chains
         }
     }
     Vector<3> at(std::size_t i) const { return in3D(valueAt<Vector<dim>>(x, i)); }
-    /// Distance of the nearest particle of which `counts(j)` holds from a place, at most `reach`, a cell's width at most [m].
-    double gap(const Vector<3>& place, double reach, const auto& counts) const
+    /// Whether a particle of which `counts(j)` holds is nearer to a place than `gap`, a cell's width at most [m].
+    bool anyWithin(const Vector<3>& place, double gap, const auto& counts) const
+    {
+        return map.anyWithin(place, gap,
+                             [&](std::size_t cell)
+                             {
+                                 for (int j = first[cell]; j >= 0; j = next[std::size_t(j)])
+                                     if (counts(std::size_t(j)) && map.distance(at(std::size_t(j)), place) < gap) return true;
+                                 return false;
+                             });
+    }
+    bool anyWithin(const Vector<3>& place, double gap) const
+    {
+        return anyWithin(place, gap, [](std::size_t) { return true; });
+    }
+    /// Distance of the nearest particle from a place, at most `reach`, a cell's width at most [m].
+    double gap(const Vector<3>& place, double reach) const
     {
         double nearest = reach;
         map.forEachAround(map.cellOf(place),
                           [&](std::size_t cell)
                           {
                               for (int j = first[cell]; j >= 0; j = next[std::size_t(j)])
-                                  if (counts(std::size_t(j))) nearest = std::min(nearest, map.distance(at(std::size_t(j)), place));
+                                  nearest = std::min(nearest, map.distance(at(std::size_t(j)), place));
                           });
         return nearest;
-    }
-    double gap(const Vector<3>& place, double reach) const
-    {
-        return gap(place, reach, [](std::size_t) { return true; });
     }
 };
 
@@ -229,21 +240,32 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
     const double* const m = store.component(Mass::info.name, 0);
     const Kinds kinds(*this, store);
     const Chains chains(map_, store, owned, room_);
-    std::vector<std::uint8_t> goes(owned, 0);
-    const auto isPressed = [&](std::size_t i)
+    const auto isPressed = [&](std::size_t i, const auto& counts)
     {
-        return chains.gap(chains.at(i), leastGapWithin * spacing_,
-                          [&](std::size_t j)
-                          { return j != i && !goes[j] && kinds.ambient(j) == Ambient::stands; }) < leastGapWithin * spacing_;
+        return chains.anyWithin(chains.at(i), leastGapWithin * spacing_,
+                                [&](std::size_t j) { return j != i && kinds.ambient(j) == Ambient::stands && counts(j); });
     };
+    // Of two that are pressed against one another one goes, in the order of their numbers: the others are found by all threads before.
+    enum : std::uint8_t
+    {
+        stays,
+        mayGo,
+        isGoing
+    };
+    std::vector<std::uint8_t> fate(owned, stays), goes(owned, 0);
+#pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < owned; ++i)
     {
         if (!kinds.isGas(i)) continue;
         const auto cell = map_.cellOf(chains.at(i));
         const int d = map_.squaredDistance(cell);
         if (map_.isEnclosed(cell) && !kinds.isHeld(i)) continue;
-        goes[i] = d > sqr(width_ + hysteresis) || (kinds.ambient(i) > 0 && d > sqr(widthOfMotion_ - 1) && !kinds.isHeld(i) && isPressed(i));
+        if (d > sqr(width_ + hysteresis)) fate[i] = isGoing;
+        else if (kinds.ambient(i) > 0 && d > sqr(widthOfMotion_ - 1) && !kinds.isHeld(i) && isPressed(i, [](std::size_t) { return true; }))
+            fate[i] = mayGo;
     }
+    for (std::size_t i = 0; i < owned; ++i)
+        goes[i] = fate[i] == isGoing || (fate[i] == mayGo && isPressed(i, [&](std::size_t j) { return !goes[j]; }));
     // Of a block whose particles are too many for the volume that they fill, the most crowded go.
     for (auto& [block, gas] : blocks(store, chains, owned))
     {
@@ -277,7 +299,7 @@ std::vector<std::size_t> GasBand<dim>::clear(const std::vector<std::size_t>& cel
 {
     std::vector<std::uint8_t> taken(cells.size());
 #pragma omp parallel for schedule(static)
-    for (std::size_t q = 0; q < cells.size(); ++q) taken[q] = chains.gap(map_.centre(cells[q]), spacing_) < gap * spacing_;
+    for (std::size_t q = 0; q < cells.size(); ++q) taken[q] = chains.anyWithin(map_.centre(cells[q]), gap * spacing_);
     taken = ofAllRanks(taken, std::vector<std::uint8_t>(taken.size(), 0), AddEach{});
     std::vector<std::size_t> all;
     for (std::size_t q = 0; q < cells.size(); ++q)

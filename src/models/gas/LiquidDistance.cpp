@@ -1,5 +1,4 @@
 #include "models/gas/LiquidDistance.hpp"
-#include "geometry/components.hpp"
 #include "parallel/reduce.hpp"
 #include <cmath>
 #include <limits>
@@ -61,6 +60,19 @@ std::size_t LiquidDistance::cellOf(const Vector<3>& x) const
         else index[k] = int(std::clamp(place, 0.0, double(n_[k] - 1)));
     }
     return std::size_t(cellAt(index));
+}
+
+std::array<double, 3> LiquidDistance::placeInCell(const Vector<3>& x, std::size_t cell) const
+{
+    const auto at = indices(cell);
+    std::array<double, 3> place{};
+    for (int k = 0; k < geometry_.dimension; ++k)
+    {
+        const double beyond = x.*component(k) - low_.*component(k) - at[std::size_t(k)] * size(k);
+        place[std::size_t(k)] =
+            geometry_.periodic[k] ? beyond - geometry_.length(k) * std::round((beyond - 0.5 * size(k)) / geometry_.length(k)) : beyond;
+    }
+    return place;
 }
 
 Vector<3> LiquidDistance::centre(std::size_t cell) const

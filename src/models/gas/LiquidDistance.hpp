@@ -3,6 +3,7 @@
 /// Where ranks share the particles, each marks its own and all get the same distances.
 #pragma once
 #include "geometry/Geometry.hpp"
+#include "geometry/components.hpp"
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,6 +36,10 @@ protected:
     std::array<int, 3> indices(std::size_t cell) const;
     /// Cell of indices that may be outside; -1 where there is none.
     long cellAt(std::array<int, 3> index) const;
+    /// How far a place is from where its cell begins in each direction; outside of the cells, from where the nearest does [m].
+    std::array<double, 3> placeInCell(const Vector<3>& x, std::size_t cell) const;
+    /// Of a cell [m].
+    double size(int direction) const { return size_.*component(direction); }
 
 private:
     Vector<3> low_, size_; ///< of the cells; size of one [m]

@@ -1,5 +1,4 @@
 #include "models/gas/LiquidMap.hpp"
-#include "geometry/components.hpp"
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -42,6 +42,8 @@ public:
     int pockets() const { return pockets_; }
     /// Calls f(cell) for a cell and all that touch it.
     template<class F> void forEachAround(std::size_t cell, const F& f) const;
+    /// Calls f(cell) for the cell of a place, and then for those that touch it and begin within `reach` of that place in each direction, at most a cell's width [m], until one is true.
+    template<class F> bool anyWithin(const Vector<3>& place, double reach, const F& f) const;
     /// Distance of two points, by the shortest way where directions are periodic.
     double distance(const Vector<3>& a, const Vector<3>& b) const { return mag(geometry_.shortest(a - b)); }
     std::size_t bytes() const { return LiquidDistance::bytes() + cells() * (3 * sizeof(std::uint8_t) + sizeof(int)); }
@@ -71,6 +73,28 @@ template<class F> void LiquidMap::forEachAround(std::size_t cell, const F& f) co
         for (int j = -1; j <= 1; ++j)
             for (int i = -1; i <= 1; ++i)
                 if (const long other = cellAt({at[0] + i, at[1] + j, at[2] + k}); other >= 0) f(std::size_t(other));
+}
+
+template<class F> bool LiquidMap::anyWithin(const Vector<3>& place, double reach, const F& f) const
+{
+    const auto cell = cellOf(place);
+    if (f(cell)) return true;
+    const auto at = indices(cell);
+    const auto within = placeInCell(place, cell);
+    std::array<int, 3> first{}, last{};
+    for (std::size_t c = 0; c < std::size_t(geometry_.dimension); ++c)
+    {
+        const double most = (1 + 1e-9) * reach; // a particle at the face of a cell is in either
+        first[c] = within[c] <= most ? -1 : 0;
+        last[c] = size(int(c)) - within[c] <= most ? 1 : 0;
+    }
+    for (int k = first[2]; k <= last[2]; ++k)
+        for (int j = first[1]; j <= last[1]; ++j)
+            for (int i = first[0]; i <= last[0]; ++i)
+                if (const long other = cellAt({at[0] + i, at[1] + j, at[2] + k});
+                    other >= 0 && std::size_t(other) != cell && f(std::size_t(other)))
+                    return true;
+    return false;
 }
 
 }

@@ -12,12 +12,13 @@ namespace sph::test
 namespace
 {
 
-struct Side
+template<class Real = double> struct Side
 {
-    double p, V, m = 1, ambient;
+    Real p, V, m = 1, ambient;
 };
 
-Vector<2> force(const Side& i, const std::vector<Side>& others, const std::vector<Vector<2>>& gradients, double p_b)
+template<class Real>
+Vector<2> force(const Side<Real>& i, const std::vector<Side<Real>>& others, const std::vector<Vector<2>>& gradients, double p_b)
 {
     Coefficients c;
     c.backgroundPressure = p_b;
@@ -27,9 +28,10 @@ Vector<2> force(const Side& i, const std::vector<Side>& others, const std::vecto
     {
         struct
         {
-            Vector<2> gradW;
-        } const ij{gradients[k]};
-        sum += term(ij, i, others[k]);
+            Vector<2, Real> gradW;
+        } const ij{{Real(gradients[k].x), Real(gradients[k].y)}};
+        const auto a = term(ij, i, others[k]);
+        sum += Vector<2>{double(a.x), double(a.y)};
     }
     return sum;
 }
@@ -68,13 +70,28 @@ TEST(AmbientPressure, HasNoLatticeOfUniformGas)
 {
     const std::vector<Vector<2>> gradients{{1, 0.2}, {-0.3, 0.8}, {0.1, -0.4}};
     const double p_b = 300;
-    const auto gas = [&](double V, double share) { return Side{p_b, V, 1, Ambient::moving(share)}; };
+    const auto gas = [&](double V, double share) { return Side<>{p_b, V, 1, Ambient::moving(share)}; };
     EXPECT_NEAR(mag(force(gas(0.9, 1), {gas(1.1, 1), gas(1, 1), gas(0.8, 1)}, gradients, p_b)), 0, 1e-12);
     Vector<2> huAdams;
-    const std::vector<Side> others{{310, 1.1, 1, 0}, {290, 1, 1, 0}, {300, 0.8, 1, 0}};
-    const Side i{305, 0.9, 1, 0};
+    const std::vector<Side<>> others{{310, 1.1, 1, 0}, {290, 1, 1, 0}, {300, 0.8, 1, 0}};
+    const Side<> i{305, 0.9, 1, 0};
     for (std::size_t k = 0; k < 3; ++k) huAdams -= (i.p * sqr(i.V) + others[k].p * sqr(others[k].V)) * gradients[k];
     EXPECT_NEAR(mag(force(i, others, gradients, p_b) - huAdams), 0, 1e-12 * mag(huAdams));
+}
+
+// In single precision the same force up to its rounding, and none of uniform ambient gas either.
+TEST(AmbientPressure, BearsSinglePrecision)
+{
+    const std::vector<Vector<2>> gradients{{1, 0.2}, {-0.3, 0.8}, {0.1, -0.4}};
+    const std::vector<Side<>> others{{310, 1.1, 1, Ambient::moving(0.3)}, {290, 1, 1, 0}, {300, 0.8, 1, Ambient::stands}};
+    const Side<> i{305, 0.9, 1, Ambient::moving(0.7)};
+    const auto single = [](const Side<>& s) { return Side<Single>{s.p, s.V, s.m, s.ambient}; };
+    std::vector<Side<Single>> othersInSingle;
+    for (const auto& other : others) othersInSingle.push_back(single(other));
+    const auto exact = force(i, others, gradients, 300);
+    EXPECT_NEAR(mag(force(single(i), othersInSingle, gradients, 300) - exact), 0, 1e-5 * mag(exact));
+    const Side<Single> uniform{300, 0.9, 1, Ambient::moving(1)};
+    EXPECT_EQ(mag(force(uniform, {uniform, uniform, uniform}, gradients, 300)), 0);
 }
 
 TEST(GasBand, LeavesOutWhatIsFarAndKeepsTheRestAtRest)

@@ -50,6 +50,45 @@ TEST(LiquidMap, MeasuresDistancesAcrossPeriodicFacesAlone)
     EXPECT_GT(squared(20.5, 20.5), 64);
 }
 
+// Whether a particle lies nearer to a place than some distance, of particles by cell: by the cells that the map names, as by a look at all. Directions of one cell to five, periodic and not, places outside.
+TEST(LiquidMap, NamesTheCellsThatHoldWhatIsNear)
+{
+    std::mt19937 generator(3);
+    for (const int dimension : {2, 3})
+        for (const double length : {1.2, 2.4, 3.1, 5.3})
+        {
+            Geometry geometry;
+            geometry.dimension = dimension;
+            geometry.high = {length, 4.1, dimension == 3 ? 3.3 : 0};
+            geometry.periodic = {true, false, dimension == 3};
+            const LiquidMap map(geometry, 1);
+            std::uniform_real_distribution<double> share(-0.1, 1.1);
+            const auto anywhere = [&]
+            {
+                const double x = std::clamp(share(generator), 0.0, 0.999999);
+                return Vector<3>{x * geometry.high.x, share(generator) * geometry.high.y,
+                                 dimension == 3 ? share(generator) * geometry.high.z : 0};
+            };
+            std::vector<Vector<3>> particles(12);
+            std::vector<std::vector<std::size_t>> inCell(map.cells());
+            for (std::size_t j = 0; j < particles.size(); ++j) inCell[map.cellOf(particles[j] = anywhere())].push_back(j);
+            int near = 0;
+            for (int k = 0; k < 400; ++k)
+            {
+                const auto place = anywhere();
+                const double gap = 0.3 + 0.2 * (k % 3);
+                const auto isNear = [&](std::size_t j) { return map.distance(particles[j], place) < gap; };
+                const bool any = map.anyWithin(place, gap, [&](std::size_t cell) { return std::ranges::any_of(inCell[cell], isNear); });
+                bool expected = false;
+                for (std::size_t j = 0; j < particles.size(); ++j) expected = expected || isNear(j);
+                EXPECT_EQ(any, expected) << dimension << ' ' << length << ' ' << k;
+                near += expected;
+            }
+            EXPECT_GT(near, 20);
+            EXPECT_LT(near, 380);
+        }
+}
+
 TEST(LiquidMap, FindsWhatIsEnclosedAndWhatHasJustBeen)
 {
     const auto geometry = square();

@@ -1,4 +1,4 @@
-/// Neighbour lists against every pair tried: the sets must be the same, index by index.
+/// Neighbour lists against every pair tried: they must hold all pairs within the radius, and none that is farther by more than rounding.
 #include "neighbours/NeighbourLists.hpp"
 #include "base/CaseError.hpp"
 #include "particlesByHand.hpp"
@@ -13,7 +13,28 @@ namespace
 
 using namespace test;
 
-template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& points, std::size_t owned, double radius)
+/// Those within a distance of a point, ascending.
+template<int dim> std::vector<int> within(double radius, const std::vector<Vector<dim>>& points, std::size_t i)
+{
+    std::vector<int> all;
+    for (std::size_t j = 0; j < points.size(); ++j)
+        if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) all.push_back(int(j));
+    return all;
+}
+
+/// `list`, without null particles, holds what is within the radius, and nothing beyond what is within a little more.
+template<int dim> void holdsWhatIsWithin(double radius, const std::vector<Vector<dim>>& points, std::size_t i, std::span<const int> list)
+{
+    std::vector<int> found(list.begin(), list.end());
+    std::erase(found, int(points.size()));
+    std::ranges::sort(found);
+    EXPECT_TRUE(std::ranges::includes(found, within(radius, points, i))) << "particle " << i;
+    double extent = 0;
+    for (const auto& p : points) extent = std::max(extent, mag(p - points[0]));
+    EXPECT_TRUE(std::ranges::includes(within((1 + 2e-6) * radius + std::ldexp(extent, -27), points, i), found)) << "particle " << i;
+}
+
+template<int dim> void listsHoldWhatIsWithin(const std::vector<Vector<dim>>& points, std::size_t owned, double radius)
 {
     FieldStore<dim> store;
     setPositions(store, points);
@@ -23,40 +44,35 @@ template<int dim> void listsEqualBruteForce(const std::vector<Vector<dim>>& poin
     typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < owned; ++i)
     {
-        std::vector<int> expected;
-        for (std::size_t j = 0; j < points.size(); ++j)
-            if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) expected.push_back(int(j));
         const auto list = lists.of(i, room);
-        std::vector<int> found(list.begin(), list.end());
-        ASSERT_EQ(found.size() % NeighbourLists<dim>::lanes, 0u) << "particle " << i;
-        std::erase(found, int(points.size()));
-        std::sort(found.begin(), found.end());
-        ASSERT_EQ(found, expected) << "particle " << i;
-        pairs += expected.size();
+        ASSERT_EQ(list.size() % NeighbourLists<dim>::lanes, 0u) << "particle " << i;
+        holdsWhatIsWithin(radius, points, i, list);
+        pairs += std::size_t(std::ranges::count_if(list, [&](int j) { return j != int(points.size()); }));
+        ASSERT_FALSE(testing::Test::HasFailure());
     }
     EXPECT_EQ(lists.pairs(), pairs);
 }
 
-TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn2D) { listsEqualBruteForce<2>(randomPoints<2>(3000, {3, 1}), 2500, 0.11); }
-TEST(NeighbourLists, EqualBruteForceOfRandomPointsIn3D) { listsEqualBruteForce<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23); }
+TEST(NeighbourLists, HoldWhatIsWithinOfRandomPointsIn2D) { listsHoldWhatIsWithin<2>(randomPoints<2>(3000, {3, 1}), 2500, 0.11); }
+TEST(NeighbourLists, HoldWhatIsWithinOfRandomPointsIn3D) { listsHoldWhatIsWithin<3>(randomPoints<3>(3000, {1, 2, 1.5}), 2200, 0.23); }
 
 // Every point in one cell, and lists that hold everything.
-TEST(NeighbourLists, EqualBruteForceWhereTheRadiusSpansTheScene)
+TEST(NeighbourLists, HoldWhatIsWithinWhereTheRadiusSpansTheScene)
 {
-    listsEqualBruteForce<2>(randomPoints<2>(100, {1, 1}), 100, 5);
-    listsEqualBruteForce<3>(randomPoints<3>(100, {1, 1, 1}), 100, 0.9);
+    listsHoldWhatIsWithin<2>(randomPoints<2>(100, {1, 1}), 100, 5);
+    listsHoldWhatIsWithin<3>(randomPoints<3>(100, {1, 1, 1}), 100, 0.9);
 }
 
 // Points along a line and in a plane: extents of zero.
-TEST(NeighbourLists, EqualBruteForceOfDegenerateClouds)
+TEST(NeighbourLists, HoldWhatIsWithinOfDegenerateClouds)
 {
-    listsEqualBruteForce<2>(randomPoints<2>(500, {1, 0}), 500, 0.05);
-    listsEqualBruteForce<3>(randomPoints<3>(500, {0, 1, 0}), 400, 0.05);
-    listsEqualBruteForce<2>({{0.3, 0.4}}, 1, 0.1);
+    listsHoldWhatIsWithin<2>(randomPoints<2>(500, {1, 0}), 500, 0.05);
+    listsHoldWhatIsWithin<3>(randomPoints<3>(500, {0, 1, 0}), 400, 0.05);
+    listsHoldWhatIsWithin<2>({{0.3, 0.4}}, 1, 0.1);
 }
 
 /// Of every `each`-th particle, where all of them would take too long: lists that are stored, and lists that are not.
-void someListsEqualBruteForce(const std::vector<Vector<3>>& points, double radius, std::size_t each, double bytesOfANeighbour)
+void someListsHoldWhatIsWithin(const std::vector<Vector<3>>& points, double radius, std::size_t each, double bytesOfANeighbour)
 {
     using Lists = NeighbourLists<3>;
     FieldStore<3> store;
@@ -73,12 +89,8 @@ void someListsEqualBruteForce(const std::vector<Vector<3>>& points, double radiu
     {
         const auto list = stored.of(i, room1), same = found.of(i, room2);
         ASSERT_TRUE(std::ranges::equal(list, same)) << "particle " << i;
-        std::vector<int> expected, sorted(list.begin(), list.end());
-        for (std::size_t j = 0; j < points.size(); ++j)
-            if (const auto d = points[i] - points[j]; dot(d, d) < sqr(radius)) expected.push_back(int(j));
-        std::erase(sorted, int(points.size()));
-        std::ranges::sort(sorted);
-        ASSERT_EQ(sorted, expected) << "particle " << i;
+        holdsWhatIsWithin(radius, points, i, list);
+        ASSERT_FALSE(testing::Test::HasFailure());
     }
 }
 
@@ -96,16 +108,16 @@ std::vector<Vector<3>> sortedByCells(const std::vector<Vector<3>>& points, doubl
 
 // A scene whose indices take more than two bytes, sorted by cells: lists take 2 bytes a neighbour, and 4 each that a particle has by itself. In any other
 // order what a few particles see lies in more pages than there are, and lists are plain.
-TEST(NeighbourLists, EqualBruteForceInASceneOfManyPages)
+TEST(NeighbourLists, HoldWhatIsWithinInASceneOfManyPages)
 {
     const double radius = 0.05;
     const auto points = randomPoints<3>(90000, {1, 1, 1});
-    someListsEqualBruteForce(sortedByCells(points, radius), radius, 997, 2.1);
-    someListsEqualBruteForce(points, radius, 997, 4.1);
+    someListsHoldWhatIsWithin(sortedByCells(points, radius), radius, 997, 2.1);
+    someListsHoldWhatIsWithin(points, radius, 997, 4.1);
 }
 
 // So many particles in a plane of cells that rows come in bands.
-TEST(NeighbourLists, EqualBruteForceWhereRowsComeInBands)
+TEST(NeighbourLists, HoldWhatIsWithinWhereRowsComeInBands)
 {
     const double radius = 0.02;
     const auto points = sortedByCells(randomPoints<3>(90000, {0.025, 1, 0.5}), radius);
@@ -114,7 +126,7 @@ TEST(NeighbourLists, EqualBruteForceWhereRowsComeInBands)
     ASSERT_NE(second, points.end());
     EXPECT_LT(second->y, 0.011);
     EXPECT_LT(second - points.begin(), 90000 / 10);
-    someListsEqualBruteForce(points, radius, 997, 2.1);
+    someListsHoldWhatIsWithin(points, radius, 997, 2.1);
 }
 
 // As many neighbours as a list may have, all at one place, and one particle by itself.
@@ -123,7 +135,13 @@ TEST(NeighbourLists, HoldAsManyAsTheyMay)
     const int most = NeighbourLists<3>::mostNeighbours;
     std::vector<Vector<3>> points(std::size_t(most), Vector<3>{0.25, 0.5, 0.75});
     points.push_back({1, 1, 1});
-    listsEqualBruteForce<3>(points, points.size(), 0.01);
+    listsHoldWhatIsWithin<3>(points, points.size(), 0.01);
+    FieldStore<3> store;
+    setPositions(store, points);
+    NeighbourLists<3> lists;
+    lists.build(positions(store), points.size(), points.size(), 0.01, NeighbourLists<3>::Stored::no);
+    NeighbourLists<3>::Room room;
+    holdsWhatIsWithin(0.01, points, 7, lists.of(7, room));
 }
 
 // Neighbours that a pass keeps of each particle come back, and spoil no other particle's.
@@ -190,25 +208,25 @@ TEST(NeighbourLists, KeepSlopesInThePrecisionAskedForLast)
     }
 }
 
-// A lattice, whose distances equal the radius up to round-off: "less than" must mean the same in cells, lanes and the plain loop.
-TEST(NeighbourLists, EqualBruteForceOfALattice)
+// A lattice, whose distances equal the radius up to round-off: those may be listed or not.
+TEST(NeighbourLists, HoldWhatIsWithinOfALattice)
 {
     std::vector<Vector<3>> points;
     for (int i = 0; i < 9; ++i)
         for (int j = 0; j < 9; ++j)
             for (int k = 0; k < 9; ++k) points.push_back({i * 0.125, j * 0.125, k * 0.125});
-    for (double radius : {0.25, 0.3, 0.375}) listsEqualBruteForce<3>(points, points.size(), radius);
+    for (double radius : {0.25, 0.3, 0.375}) listsHoldWhatIsWithin<3>(points, points.size(), radius);
 }
 
 // A scene 10^6 spacings long with particles at both ends alone: only the cells that hold some are kept (10^18 cells of side 1 in 3-D).
-TEST(NeighbourLists, EqualBruteForceOfTwoClustersFarApart)
+TEST(NeighbourLists, HoldWhatIsWithinOfTwoClustersFarApart)
 {
     auto points = randomPoints<3>(600, {8, 8, 8});
     for (std::size_t i = 0; i < points.size(); i += 2) points[i] += Vector<3>{1e6, 1e6, 1e6};
-    listsEqualBruteForce<3>(points, points.size(), 2.6);
+    listsHoldWhatIsWithin<3>(points, points.size(), 2.6);
     auto plane = randomPoints<2>(600, {20, 20});
     for (std::size_t i = 0; i < plane.size(); i += 3) plane[i] += Vector<2>{1e6, -1e6};
-    listsEqualBruteForce<2>(plane, 600, 2.6);
+    listsHoldWhatIsWithin<2>(plane, 600, 2.6);
     CellList<2> cells;
     FieldStore<2> store;
     setPositions(store, plane);
@@ -242,11 +260,11 @@ TEST(NeighbourLists, LookAtNoMoreWhereClustersAreFarApart)
 }
 
 // A cluster in a wide scene, as a drop in an empty box: half of all points within one radius of one another.
-TEST(NeighbourLists, EqualBruteForceOfAClusteredCloud)
+TEST(NeighbourLists, HoldWhatIsWithinOfAClusteredCloud)
 {
     auto points = randomPoints<2>(800, {10, 10}, 3);
     for (std::size_t i = 0; i < 400; ++i) points[i] = Vector<2>{5, 5} + 0.02 * points[i];
-    listsEqualBruteForce<2>(points, points.size(), 0.3);
+    listsHoldWhatIsWithin<2>(points, points.size(), 0.3);
 }
 
 // A second build with fewer, more and no particles reuses the memory of the first and must not see its contents.
@@ -259,10 +277,15 @@ TEST(NeighbourLists, ForgetTheLastBuild)
         FieldStore<2> store;
         setPositions(store, points);
         lists.build(positions(store), n, n, 0.06);
-        std::size_t pairs = 0;
+        std::size_t pairs = 0, pairsOfMore = 0;
         for (const auto& p : points)
-            for (const auto& q : points) pairs += dot(p - q, p - q) < sqr(0.06);
-        EXPECT_EQ(lists.pairs(), pairs) << n;
+            for (const auto& q : points)
+            {
+                pairs += dot(p - q, p - q) < sqr(0.06);
+                pairsOfMore += dot(p - q, p - q) < sqr(0.06 * (1 + 2e-6));
+            }
+        EXPECT_GE(lists.pairs(), pairs) << n;
+        EXPECT_LE(lists.pairs(), pairsOfMore) << n;
     }
 }
 

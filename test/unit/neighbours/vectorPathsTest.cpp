@@ -19,15 +19,12 @@ template<int dim> struct Scene
 {
     std::vector<Vector<dim>> points;
     std::vector<double> coordinate[dim];
-    const double* position[dim];
-
     explicit Scene(std::size_t n)
     {
         if constexpr (dim == 2) points = randomPoints<2>(n, {1, 1});
         else points = randomPoints<3>(n, {1, 1, 1});
         for (int c = 0; c < dim; ++c) coordinate[c].resize(n);
         for (std::size_t i = 0; i < n; ++i) store(points[i], [&](int c, double q) { coordinate[c][i] = q; });
-        for (int c = 0; c < dim; ++c) position[c] = coordinate[c].data();
     }
 };
 
@@ -66,19 +63,30 @@ TYPED_TEST(AtEveryWidth, CompressesEverySet)
 
 template<int dim, class L> void selectionEqualsAPlainLoop()
 {
-    const Scene<dim> scene(200);
-    std::vector<int> order(200);
+    constexpr std::size_t n = 200;
+    const double radius = std::sqrt(0.2);
+    const Scene<dim> scene(n);
+    const WholePlaces<dim> places({}, 1, radius);
+    std::vector<int> order(n + SortedPoints<dim>::readBeyond), place[dim];
     std::iota(order.rbegin(), order.rend(), 1000);
+    SortedPoints<dim> sorted{{}, order.data()};
+    for (int c = 0; c < dim; ++c)
+    {
+        for (const double x : scene.coordinate[c]) place[c].push_back(places(c, x));
+        place[c].resize(order.size());
+        sorted.place[c] = place[c].data();
+    }
     const auto x = scene.points[7];
-    // Runs of every length from 0 to beyond two vectors, from every offset in one.
-    for (int begin = 0; begin < 9; ++begin)
+    // Runs of every length from 0 to beyond two vectors, from every offset in one, and to the last of all points.
+    for (int first = 0; first < 9; ++first)
         for (int length = 0; length < 40; ++length)
         {
+            const int begin = first < 8 ? first : int(n) - length;
             std::vector<int> found(64, -1), expected;
-            const int n = selectWithin<dim, L>(scene.position, order.data(), begin, begin + length, x, 0.2, found.data());
+            const int count = selectWithin<dim, L>(sorted, begin, begin + length, places(x), places.limit(radius), found.data());
             for (int b = begin; b < begin + length; ++b)
-                if (const auto d = scene.points[b] - x; dot(d, d) < 0.2) expected.push_back(order[b]);
-            found.resize(n);
+                if (const auto d = scene.points[b] - x; dot(d, d) < sqr(radius)) expected.push_back(order[b]);
+            found.resize(count);
             EXPECT_EQ(found, expected) << begin << ' ' << length;
         }
 }
@@ -96,7 +104,7 @@ template<class L> void unpackingGivesWhatWasPacked(int particles, const std::vec
             indices.push_back(firstOfPages[k * 7 % firstOfPages.size()] + std::array{0, 4095, 2048, 1023, 1024}[k % 5]);
         IndexPages pages;
         std::vector<std::uint16_t> codes(48);
-        ASSERT_TRUE(packer.pack(indices, std::size_t(particles), pages, codes.data())) << length;
+        ASSERT_TRUE(packer.pack<L>(indices, std::size_t(particles), pages, codes.data())) << length;
         std::vector<int> unpacked(48, -1);
         unpackIndices<L>(codes.data(), int(length), pages, unpacked.data());
         unpacked.resize(length);

@@ -300,6 +300,19 @@ TEST(Groups, LeaveOutParticlesThatAreNothingByThemselves)
     }
 }
 
+// Who evaluates a group may mark particles whose sums are taken for 0: those of others are what they are without.
+TEST(Groups, LeaveOutMarkedParticles)
+{
+    Toy toy(torus(), catalogue<2, SmoothedA, OtherSum>(), {{"first", {"smoothedA", "otherSum"}}}, Fields<A, Z>{});
+    toy.evaluate("first");
+    const std::vector<double> all(toy.of("d"), toy.of("d") + toy.n);
+    std::vector<std::uint8_t> leftOut(toy.n, 0);
+    for (std::size_t i = 0; i < toy.n; i += 3) leftOut[i] = 1;
+    toy.plan.evaluate(toy.store, toy.images, toy.lists, toy.kernel, 0, 0, leftOut);
+    for (std::size_t i = 0; i < toy.n; ++i) EXPECT_EQ(toy.of("d")[i], leftOut[i] ? 0 : all[i]) << i;
+    EXPECT_GT(all[0], 0);
+}
+
 // A group with a kernel of its own sums over what that kernel reaches, farther than the scene's or less far, images too; groups behind it find the pairs of
 // the scene's kernel as they were.
 TEST(Groups, SeeNeighboursByAKernelOfTheirOwn)
