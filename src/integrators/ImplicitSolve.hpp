@@ -16,6 +16,8 @@
 /// the rates of a particle alone. Nothing is stored of the matrix: L and K are a plan of few terms over the pairs that the evaluation has kept. They are computed
 /// in single precision (plan/README.md) down to a tolerance of 1e-6, below it in double: rounding by 6e-8 is far below what the iteration leaves.
 ///
+/// What is held and has no stiffness, as gas that stands (models/gas), needs no product: its neighbours are not looked at.
+///
 /// The remaining residual r must not change the momentum. With viscosity alone r is added to dv, and v_1 = v_0 + dt (a + theta L dv) for the dv
 /// before, a sum over pairs of forces that cancel. With the stiffness of pressure r would be a large velocity of single particles. What of it is smooth is an
 /// impulse that the forces have given and the particles have not had: its means over boxes of two supports (averageInBoxes.hpp) are kept, as the state
@@ -65,8 +67,7 @@ private:
     class Matrix;
 
     std::array<Array, dim> change_, residual_; ///< dv of the owned particles, and r where viscosity is solved for alone
-    std::vector<std::uint8_t>
-        leftOut_; ///< what is held and has no stiffness: it answers nothing that moves beside it. Empty where there is none
+    std::vector<std::uint8_t> leftOut_;        ///< particles at which no product is asked for; empty where there is none
     const bool withPressure_, viscous_, followsForces_;
     int iterations_ = 0;
     std::array<double, dim> wallRate_{}; ///< gamma [1/s]
@@ -82,6 +83,7 @@ private:
     /// a particle is thrown too far, DivergedError where nothing is finite. Particles
     /// in a buffer, whose dU/dt is 0, keep their velocities.
     void solve(Particles<dim>&, double deltaT);
+    /// Marks what is held and has no stiffness: its residual stays 0, and q, which others would read, is 0 (PressureResponse.hpp).
     void findLeftOut(const Particles<dim>&);
     /// Throws StepTooLong where dv carries a particle farther than a linear response knows.
     void refuseLeaps(const Particles<dim>&, double deltaT) const;

@@ -71,13 +71,13 @@ inline int rounded(double q)
 }
 
 /// Order in which a compress leaves the lanes, for each set of kept ones; a lane has so many `parts`.
-template<int lanes, int parts> constexpr auto compressOrders()
+template<int lanes, int parts, class Index = int> constexpr auto compressOrders()
 {
-    std::array<std::array<int, lanes * parts>, 1 << lanes> orders{};
+    std::array<std::array<Index, lanes * parts>, 1 << lanes> orders{};
     for (int set = 0; set < 1 << lanes; ++set)
         for (int lane = 0, to = 0; lane < lanes; ++lane)
             if (set >> lane & 1)
-                for (int part = 0; part < parts; ++part) orders[set][to++] = lane * parts + part;
+                for (int part = 0; part < parts; ++part) orders[set][to++] = Index(lane * parts + part);
     return orders;
 }
 }
@@ -195,6 +195,13 @@ template<class L, class At> void storeColumns(const At& at, TwoColumns<L> column
     L::storePairs([&](int k) { return at(2 * k + 1); }, L::oddOf(columns.first, columns.second));
 }
 
+#if defined(__AVX2__)
+namespace detail
+{
+inline constexpr auto ordersOfEight = compressOrders<8, 1, std::uint8_t>();
+}
+#endif
+
 /// Vectors of 4, 8 or 16 floats.
 template<int lanes> struct FloatLanes
 {
@@ -223,6 +230,16 @@ template<int lanes> struct FloatLanes
         if constexpr (lanes == 16)
         {
             _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(__mmask16(bits), _mm512_loadu_si512(from)));
+            return std::popcount(bits);
+        }
+        else
+#endif
+#if defined(__AVX2__)
+            if constexpr (lanes == 8)
+        {
+            const auto order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&detail::ordersOfEight[bits])));
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                                _mm256_permutevar8x32_epi32(_mm256_loadu_si256(reinterpret_cast<const __m256i*>(from)), order));
             return std::popcount(bits);
         }
         else

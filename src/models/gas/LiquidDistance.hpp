@@ -38,7 +38,7 @@ protected:
     long cellAt(std::array<int, 3> index) const;
     /// How far a place is from where its cell begins in each direction; outside of the cells, from where the nearest does [m].
     std::array<double, 3> placeInCell(const Vector<3>& x, std::size_t cell) const;
-    /// Of a cell [m].
+    /// Length of a cell [m].
     double size(int direction) const { return size_.*component(direction); }
 
 private:
