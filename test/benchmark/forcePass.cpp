@@ -50,7 +50,7 @@ Figures forcePass(PairLimit& limit, double skin)
     const Kernel<3> kernel("wendlandC2", H);
 
     auto singleLimit = inSinglePrecision(limit);
-    std::vector<double> room(3 * std::size_t(images.nullParticle())); // as much as a run lends: its records
+    std::vector<double> room(3 * std::size_t(images.nullParticle())); // a run lends that of its records
     double best = 1e9, bestOfMixed = 1e9, bestOfLimit = 1e9, bestOfSingleLimit = 1e9, bestOfBuild = 1e9;
     for (int turn = 0; turn < 7; ++turn)
     {

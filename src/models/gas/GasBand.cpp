@@ -76,7 +76,7 @@ template<int dim> std::vector<Stage<dim>> GasBand<dim>::stages(JoinPoint place)
                              solvesPressure_ ? "; |v| of gas at most 0.9 of what flow allows for this step, or that of the liquid" : ""),
                  [this](Particles<dim>& p, const Substep& step) { slow(p, step.deltaT); }}};
     if (place == JoinPoint::solve && solvesPressure_)
-        return {{"soften gas", "(1 - s) dp/drho of ambient gas",
+        return {{"soften gas", "(1 - s) dp/drho of ambient gas; what stands is left out of the products",
                  [](Particles<dim>& p, const Substep&)
                  {
                      const double* const ambient = p.store().component(Ambient::info.name, 0);
@@ -245,7 +245,7 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
         return chains.anyWithin(chains.at(i), leastGapWithin * spacing_,
                                 [&](std::size_t j) { return j != i && kinds.ambient(j) == Ambient::stands && counts(j); });
     };
-    // Of two that are pressed against one another one goes, in the order of their numbers: the others are found by all threads before.
+    // Who goes of those that are pressed against one another hangs on who went before, in the order of their numbers. All threads find the few that it may be.
     enum : std::uint8_t
     {
         stays,

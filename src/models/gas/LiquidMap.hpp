@@ -64,22 +64,35 @@ private:
     bool hasMeasured_ = false;
 
     void findEnclosed();
+    /// Calls f for the cells at so many places from one in each direction, from first to last, until it is true.
+    template<class F> bool anyOf(std::size_t cell, std::array<int, 3> first, std::array<int, 3> last, const F& f) const;
 };
+
+template<class F> bool LiquidMap::anyOf(std::size_t cell, std::array<int, 3> first, std::array<int, 3> last, const F& f) const
+{
+    const auto at = indices(cell);
+    for (int k = first[2]; k <= last[2]; ++k)
+        for (int j = first[1]; j <= last[1]; ++j)
+            for (int i = first[0]; i <= last[0]; ++i)
+                if (const long other = cellAt({at[0] + i, at[1] + j, at[2] + k}); other >= 0 && f(std::size_t(other))) return true;
+    return false;
+}
 
 template<class F> void LiquidMap::forEachAround(std::size_t cell, const F& f) const
 {
-    const auto at = indices(cell);
-    for (int k = n_[2] > 1 ? -1 : 0; k <= (n_[2] > 1 ? 1 : 0); ++k)
-        for (int j = -1; j <= 1; ++j)
-            for (int i = -1; i <= 1; ++i)
-                if (const long other = cellAt({at[0] + i, at[1] + j, at[2] + k}); other >= 0) f(std::size_t(other));
+    const int deep = n_[2] > 1 ? 1 : 0;
+    anyOf(cell, {-1, -1, -deep}, {1, 1, deep},
+          [&](std::size_t other)
+          {
+              f(other);
+              return false;
+          });
 }
 
 template<class F> bool LiquidMap::anyWithin(const Vector<3>& place, double reach, const F& f) const
 {
     const auto cell = cellOf(place);
     if (f(cell)) return true;
-    const auto at = indices(cell);
     const auto within = placeInCell(place, cell);
     std::array<int, 3> first{}, last{};
     for (std::size_t c = 0; c < std::size_t(geometry_.dimension); ++c)
@@ -88,13 +101,7 @@ template<class F> bool LiquidMap::anyWithin(const Vector<3>& place, double reach
         first[c] = within[c] <= most ? -1 : 0;
         last[c] = size(int(c)) - within[c] <= most ? 1 : 0;
     }
-    for (int k = first[2]; k <= last[2]; ++k)
-        for (int j = first[1]; j <= last[1]; ++j)
-            for (int i = first[0]; i <= last[0]; ++i)
-                if (const long other = cellAt({at[0] + i, at[1] + j, at[2] + k});
-                    other >= 0 && std::size_t(other) != cell && f(std::size_t(other)))
-                    return true;
-    return false;
+    return anyOf(cell, first, last, [&](std::size_t other) { return other != cell && f(other); });
 }
 
 }
