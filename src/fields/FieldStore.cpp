@@ -1,8 +1,23 @@
 #include "fields/FieldStore.hpp"
+#include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <stdexcept>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace sph
 {
+
+// The system may decline, and nobody need know.
+void askForHugePages(void* memory, std::size_t bytes)
+{
+    constexpr std::size_t large = 4 << 20; // two huge pages: what is smaller may lie in none
+    if (bytes < large) return;
+    const auto page = std::size_t(sysconf(_SC_PAGESIZE)), beyond = std::size_t(std::bit_cast<std::uintptr_t>(memory) % page),
+               first = beyond == 0 ? 0 : page - beyond;
+    madvise(static_cast<std::byte*>(memory) + first, (bytes - first) / page * page, MADV_HUGEPAGE);
+}
 
 template<int dim> void FieldStore<dim>::allocate(const std::string& name, const FieldInfo& info, const ValueType& type)
 {
@@ -26,14 +41,22 @@ template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
 {
     size_ = n;
     owned_ = owned;
+    std::vector<std::span<double>> added;
     for (auto& [_, field] : fields_)
         for (auto& a : field.component)
         {
-            const std::size_t length = field.imaged ? n : owned;
+            const std::size_t length = field.imaged ? n : owned, before = std::min(a.size(), length);
             // The number of images changes a little at each rebuild: some room spares most reallocations.
             if (length > a.capacity()) a.reserve(length + (n - owned) / 20);
-            a.resize(length, 0.0);
+            a.resize(length);
+            added.push_back(std::span(a).subspan(before));
         }
+#pragma omp parallel
+    for (const auto part : added)
+    {
+#pragma omp for simd schedule(static) nowait
+        for (std::size_t k = 0; k < part.size(); ++k) part[k] = 0;
+    }
 }
 
 template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order, std::span<double> room)

@@ -15,19 +15,33 @@
 namespace sph
 {
 
-/// Begins arrays at cache lines.
+/// Has the system keep memory in huge pages where it is large and the system has some: to fill it takes less, and so does to look anywhere in it.
+void askForHugePages(void* memory, std::size_t bytes);
+
+/// Begins arrays at cache lines, and leaves numbers that nobody gives a value as they are: who makes room lets the thread that will use it touch it first.
 template<class T> struct AlignedAllocator
 {
     using value_type = T;
     static constexpr std::align_val_t alignment{64};
     AlignedAllocator() = default;
     template<class U> AlignedAllocator(const AlignedAllocator<U>&) {}
-    T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), alignment)); }
+    T* allocate(std::size_t n)
+    {
+        void* const memory = ::operator new(n * sizeof(T), alignment);
+        askForHugePages(memory, n * sizeof(T));
+        return static_cast<T*>(memory);
+    }
     void deallocate(T* p, std::size_t) { ::operator delete(p, alignment); }
+    template<class U> void construct(U* p) { ::new (static_cast<void*>(p)) U; }
+    template<class U, class... Values> void construct(U* p, Values&&... values)
+    {
+        ::new (static_cast<void*>(p)) U(std::forward<Values>(values)...);
+    }
     friend bool operator==(AlignedAllocator, AlignedAllocator) { return true; }
 };
 using Array = std::vector<double, AlignedAllocator<double>>;
 using SingleArray = std::vector<float, AlignedAllocator<float>>;
+using IndexArray = std::vector<int, AlignedAllocator<int>>;
 
 template<int dim> class FieldStore
 {

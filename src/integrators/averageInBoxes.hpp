@@ -1,10 +1,12 @@
 /// The smooth part of a vector field on scattered particles: its mean over each box of a fixed grid, weighed by mass.
 #pragma once
 #include "base/values.hpp"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <vector>
 
 namespace sph
 {
@@ -20,30 +22,43 @@ void averageInBoxes(const std::array<double*, dim>& u, const std::array<const do
         double mass = 0;
         Vector<dim> momentum;
     };
+    // Particles that follow one another in memory mostly lie in one box: all threads find such runs, whose sums are then taken in the order of the particles.
     using BoxNumber = std::array<long, dim>;
-    std::map<BoxNumber, Sums> boxes;
-    // Particles that lie beside one another in memory mostly lie in one box.
-    auto last = boxes.end();
-    const auto sumsAt = [&](std::size_t i) -> Sums&
+    struct Run
     {
+        std::size_t begin, end;
         BoxNumber box;
-        for (std::size_t c = 0; c < dim; ++c) box[c] = long(std::floor(x[c][i] / size));
-        if (last == boxes.end() || last->first != box) last = boxes.try_emplace(box).first;
-        return last->second;
+        Sums* sums = nullptr;
     };
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        Vector<dim> u_i;
-        fetch(u_i, [&](int c) { return u[std::size_t(c)][i]; });
-        auto& sums = sumsAt(i);
-        sums.mass += mass[i];
-        sums.momentum += mass[i] * u_i;
-    }
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        const auto& sums = sumsAt(i);
-        store(1 / sums.mass * sums.momentum, [&](int c, double value) { u[std::size_t(c)][i] = value; });
-    }
+    constexpr std::size_t block = 1024;
+    std::vector<std::vector<Run>> runs((n + block - 1) / block);
+#pragma omp parallel for schedule(static)
+    for (std::size_t b = 0; b < runs.size(); ++b)
+        for (std::size_t i = b * block; i < std::min(n, (b + 1) * block); ++i)
+        {
+            BoxNumber box;
+            for (std::size_t c = 0; c < dim; ++c) box[c] = long(std::floor(x[c][i] / size));
+            if (runs[b].empty() || runs[b].back().box != box) runs[b].push_back({i, i, box});
+            runs[b].back().end = i + 1;
+        }
+    std::map<BoxNumber, Sums> boxes;
+    for (auto& ofBlock : runs)
+        for (auto& run : ofBlock)
+        {
+            run.sums = &boxes[run.box];
+            for (std::size_t i = run.begin; i < run.end; ++i)
+            {
+                run.sums->mass += mass[i];
+                run.sums->momentum += mass[i] * valueAt<Vector<dim>>(u, i);
+            }
+        }
+#pragma omp parallel for schedule(static)
+    for (std::size_t b = 0; b < runs.size(); ++b)
+        for (const auto& run : runs[b])
+        {
+            const auto mean = 1 / run.sums->mass * run.sums->momentum;
+            for (std::size_t i = run.begin; i < run.end; ++i) store(mean, [&](int c, double value) { u[std::size_t(c)][i] = value; });
+        }
 }
 
 }

@@ -159,27 +159,44 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
     }
 }
 
+namespace
+{
+/// Room for so many numbers, of any value.
+void makeRoom(auto& array, std::size_t size)
+{
+    if (array.size() >= size) return;
+    array.clear(); // nothing is copied
+    array.resize(size);
+}
+}
+
 template<int dim> void NeighbourLists<dim>::makeRoomWithin()
 {
-    for (auto& c : chunks_)
+#pragma omp parallel for schedule(static)
+    for (Chunk& c : chunks_)
     {
-        if (const auto size = c.withinBegin(chunkSize); c.within.size() < size) c.within.resize(size);
-        c.withinCount.resize(chunkSize);
+        makeRoom(c.within, c.withinBegin(chunkSize));
+        makeRoom(c.withinCount, chunkSize);
     }
 }
 
 template<int dim> void NeighbourLists<dim>::makeRoomForSlopes(bool inSinglePrecision)
 {
-    const auto makeRoom = []<class Slopes, class Others>(Slopes& slopes, Others& others, std::size_t size)
+#pragma omp parallel for schedule(static)
+    for (Chunk& c : chunks_)
     {
-        others = Others();
-        if (slopes.size() >= size) return;
-        slopes = Slopes();
-        slopes.resize(size);
-    };
-    for (auto& c : chunks_)
-        if (const auto size = c.withinBegin(chunkSize); inSinglePrecision) makeRoom(c.singleSlopes, c.slopes, size);
-        else makeRoom(c.slopes, c.singleSlopes, size);
+        const std::size_t pairs = c.withinBegin(chunkSize);
+        if (inSinglePrecision)
+        {
+            c.slopes = Array();
+            makeRoom(c.singleSlopes, pairs);
+        }
+        else
+        {
+            c.singleSlopes = SingleArray();
+            makeRoom(c.slopes, pairs);
+        }
+    }
 }
 
 template<int dim> std::size_t NeighbourLists<dim>::bytes() const

@@ -138,7 +138,7 @@ private:
         std::vector<int> wide; ///< the indices themselves, where they take too many pages: then there are no codes
         IndexPages pages;
         std::array<unsigned, chunkSize + 1> begin; ///< of each list
-        std::vector<int> within, withinCount;      ///< none where no pass keeps
+        IndexArray within, withinCount;            ///< none where no pass keeps
         Array slopes;                              ///< likewise
         SingleArray singleSlopes;                  ///< in place of slopes
         /// Lists within the support are padded.

@@ -226,7 +226,7 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
                        [&](int i, const KnownNeighbours& known)
                        { stencil.fill(i, known, x, packed<double>(), store.size(), pass.sources, k, pass.readsKernel, null); });
         };
-        Stretches stretches(n, 256);
+        Stretches stretches(n, 64);
 #pragma omp parallel
         stretches.forEach(gather);
     };

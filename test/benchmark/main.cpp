@@ -1,6 +1,6 @@
 /// Rates and memory of the core on one thread, one line a figure: `name value unit`.
 ///
-///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed mixed meshes; all unless named
+///     sphBenchmark <folder of the cases> [part...]        parts: force block bed bedStress bccBed band mixed meshes, all unless named; threads, by name alone
 #include "base/CaseError.hpp"
 #include "forcePass.hpp"
 #include "readMeshes.hpp"
@@ -42,11 +42,23 @@ int main(int argc, char** argv)
         if (wanted("meshes")) print(readMeshes());
         const auto bccBed = cases / "../../../tutorials/heapLeaching/bccBed";
         if (wanted("bccBed")) print(wholeStep(bccBed, "bccBed", limit, 10, 4));
-        if (!wanted("mixed")) return 0;
-        constexpr bool mixed = true;
-        print(wholeStep(cases / "block", "mixedWhole", limit, 12, 4, mixed));
-        print(wholeStep(cases / "bed", "mixedBed", limit, 20, 4, mixed));
-        print(wholeStep(bccBed, "mixedBccBed", limit, 10, 4, mixed));
+        if (wanted("band")) print(wholeStep(cases / "band", "band", limit, 10, 4));
+        if (wanted("mixed"))
+        {
+            constexpr bool mixed = true;
+            print(wholeStep(cases / "block", "mixedWhole", limit, 12, 4, mixed));
+            print(wholeStep(cases / "bed", "mixedBed", limit, 20, 4, mixed));
+            print(wholeStep(bccBed, "mixedBccBed", limit, 10, 4, mixed));
+            print(wholeStep(cases / "band", "mixedBand", limit, 10, 4, mixed));
+        }
+        if (parts.contains("threads"))
+        {
+            print(twoThreads(cases / "block", "whole", 12, 4));
+            print(twoThreads(cases / "bed", "bed", 20, 4));
+            print(twoThreads(cases / "bedStress", "bedStress", 20, 4));
+            print(twoThreads(bccBed, "bccBed", 10, 4));
+            print(twoThreads(cases / "band", "band", 10, 4));
+        }
     }
     catch (const CaseError& e)
     {

@@ -5,6 +5,8 @@
 #include "solver/Simulation.hpp"
 #include "solver/readSettings.hpp"
 #include <algorithm>
+#include <memory>
+#include <omp.h>
 
 namespace sph
 {
@@ -38,31 +40,45 @@ double neighboursWithinSupport(const AnySimulation& simulation, const Settings& 
     lists.build({x[0], x[1], x[2]}, n, images.nullParticle(), H);
     return double(lists.pairs()) / double(n) - 1;
 }
+
+/// A case, packed in memory, after its first step.
+struct PackedCase
+{
+    Case theCase;
+    Geometry geometry;
+    Settings settings;
+    std::unique_ptr<AnySimulation> simulation;
+
+    PackedCase(const std::filesystem::path& folder, bool mixed)
+        : theCase(folder),
+          geometry(readGeometry(theCase.dictionary("constant/geometry"), readResolution(theCase.dictionary("system/sphSchemes")),
+                                supportsOfSolver)),
+          settings(readSettings(theCase, geometry))
+    {
+        const auto plan = readPackingPlan(theCase);
+        settings.mixedPrecision = mixed;
+        theCase.diagnostics().throwIfAny();
+        simulation = makeSimulation(settings, geometry, cloudOf(pack(plan)), {});
+        advance(1);
+    }
+    void advance(int steps) const
+    {
+        for (int s = 0; s < steps; ++s) simulation->step(0, simulation->stepLimit().deltaT);
+    }
+};
 }
 
 Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns, bool mixed)
 {
-    const Case theCase(caseFolder);
-    const auto plan = readPackingPlan(theCase);
-    const auto resolution = readResolution(theCase.dictionary("system/sphSchemes"));
-    const Geometry geometry = readGeometry(theCase.dictionary("constant/geometry"), resolution, supportsOfSolver);
-    Settings settings = readSettings(theCase, geometry);
-    settings.mixedPrecision = mixed;
-    theCase.diagnostics().throwIfAny();
-    const auto simulation = makeSimulation(settings, geometry, cloudOf(pack(plan)), {});
-    simulation->step(0, simulation->stepLimit().deltaT);
-
+    const PackedCase packed(caseFolder, mixed);
+    const auto& simulation = packed.simulation;
     double best = 1e9, bestOfLimit = 1e9, passes = 0;
     const long rebuildsBefore = simulation->rebuilds();
     for (int turn = 0; turn < turns; ++turn)
     {
         bestOfLimit = std::min(bestOfLimit, secondsOf([&] { limit.evaluate(); }));
         const long before = simulation->pairPassesRun();
-        const double seconds = secondsOf(
-            [&]
-            {
-                for (int s = 0; s < stepsATurn; ++s) simulation->step(0, simulation->stepLimit().deltaT);
-            });
+        const double seconds = secondsOf([&] { packed.advance(stepsATurn); });
         const double passesOfTurn = double(simulation->pairPassesRun() - before);
         if (passes > 0 && seconds / passesOfTurn >= best / passes)
             continue; // turns differ in parts of their steps and in iterations: the best by the pass
@@ -70,7 +86,7 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
         passes = passesOfTurn / stepsATurn;
     }
     const double steps = double(turns) * stepsATurn, particles = double(simulation->size());
-    const double neighbours = neighboursWithinSupport(*simulation, settings, geometry);
+    const double neighbours = neighboursWithinSupport(*simulation, packed.settings, packed.geometry);
     const double limitRate = double(limit.list.size()) / bestOfLimit;
     return {{name + "Particles", particles, "1"},
             {name + "ImagesPerParticle", double(simulation->images()) / particles, "1"},
@@ -82,6 +98,23 @@ Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& na
              "million particle-steps/s/core where the limit is 345 million pairs/s"},
             {name + "StepsPerListBuild", steps / double(std::max(1L, simulation->rebuilds() - rebuildsBefore)), "1"},
             {name + "BytesPerParticle", simulation->bytesPerParticle(), "bytes an owned particle, images and records included"}};
+}
+
+Figures twoThreads(const std::filesystem::path& caseFolder, const std::string& name, int stepsATurn, int turns)
+{
+    const PackedCase packed(caseFolder, false);
+    double best[] = {1e9, 1e9}; // [s] a pass
+    for (int turn = 0; turn < turns; ++turn)
+        for (const int threads : {1, 2})
+        {
+            omp_set_num_threads(threads);
+            const long before = packed.simulation->pairPassesRun();
+            const double seconds = secondsOf([&] { packed.advance(stepsATurn); });
+            double& known = best[threads - 1];
+            known = std::min(known, seconds / double(packed.simulation->pairPassesRun() - before));
+        }
+    omp_set_num_threads(1);
+    return {{name + "OnTwoThreads", best[0] / best[1], "1"}};
 }
 
 }

@@ -11,4 +11,7 @@ namespace sph
 Figures wholeStep(const std::filesystem::path& caseFolder, const std::string& name, PairLimit& limit, int stepsATurn, int turns,
                   bool mixed = false);
 
+/// Steps of a case on one thread and on two, in turns: the wall time of a pair pass on one, over that on two. Each is the best of its turns.
+Figures twoThreads(const std::filesystem::path& caseFolder, const std::string& name, int stepsATurn, int turns);
+
 }

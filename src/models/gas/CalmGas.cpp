@@ -32,6 +32,7 @@ template<int dim> void CalmGas<dim>::find(Particles<dim>& particles)
     const auto place = [&](std::size_t i) { return in3D(valueAt<Vector<dim>>(x, i)); };
     const auto isGas = [&](std::size_t i) { return std::size_t(phase[i]) == gas_; };
     distance_.clear();
+#pragma omp parallel for schedule(static)
     for (std::size_t i = 0; i < particles.size(); ++i)
         if (!isGas(i)) distance_.mark(place(i));
     distance_.measure(to);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <utility>
 
 namespace sph
 {
@@ -167,6 +168,7 @@ template<int dim> void GasBand<dim>::exchange(Particles<dim>& particles)
     {
         const auto x = store.pointers(Position{});
         const Kinds kinds(*this, store);
+#pragma omp parallel for schedule(static)
         for (std::size_t i = 0; i < owned; ++i)
             if (!kinds.isGas(i)) map_.mark(in3D(valueAt<Vector<dim>>(x, i)));
     }
@@ -190,21 +192,19 @@ template<int dim> struct GasBand<dim>::Chains
 {
     const LiquidMap& map;
     std::vector<int>& first;
-    std::vector<int> next;
+    std::vector<int> next, inCell; ///< of each particle
     std::array<const double*, dim> x;
 
     /// `room` is for `first`.
     Chains(const LiquidMap& cells, const FieldStore<dim>& store, std::size_t owned, std::vector<int>& room)
-        : map(cells), first(room), next(owned, -1), x(store.pointers(Position{}))
+        : map(cells), first(room), next(owned), inCell(owned), x(store.pointers(Position{}))
     {
         first.assign(map.cells(), -1);
-        for (std::size_t i = 0; i < owned; ++i)
-        {
-            const auto cell = map.cellOf(at(i));
-            next[i] = first[cell];
-            first[cell] = int(i);
-        }
+#pragma omp parallel for schedule(static)
+        for (std::size_t i = 0; i < owned; ++i) inCell[i] = int(map.cellOf(at(i)));
+        for (std::size_t i = 0; i < owned; ++i) next[i] = std::exchange(first[cellOf(i)], int(i));
     }
+    std::size_t cellOf(std::size_t i) const { return std::size_t(inCell[i]); }
     Vector<3> at(std::size_t i) const { return in3D(valueAt<Vector<dim>>(x, i)); }
     /// Whether a particle of which `counts(j)` holds is nearer to a place than `gap`, a cell's width at most [m].
     bool anyWithin(const Vector<3>& place, double gap, const auto& counts) const
@@ -257,7 +257,7 @@ template<int dim> std::size_t GasBand<dim>::remove(FieldStore<dim>& store, std::
     for (std::size_t i = 0; i < owned; ++i)
     {
         if (!kinds.isGas(i)) continue;
-        const auto cell = map_.cellOf(chains.at(i));
+        const auto cell = chains.cellOf(i);
         const int d = map_.squaredDistance(cell);
         if (map_.isEnclosed(cell) && !kinds.isHeld(i)) continue;
         if (d > sqr(width_ + hysteresis)) fate[i] = isGoing;
@@ -333,7 +333,7 @@ std::vector<std::size_t> GasBand<dim>::sparseCells(const FieldStore<dim>& store,
     {
         double widest = leastGapOfMoving * spacing_;
         std::optional<std::size_t> best;
-        map_.forEachAround(map_.cellOf(chains.at(i)),
+        map_.forEachAround(chains.cellOf(i),
                            [&](std::size_t cell)
                            {
                                if (!map_.isRoom(cell) || map_.squaredDistance(cell) <= 1 || isBeside(cell)) return;
@@ -379,7 +379,7 @@ auto GasBand<dim>::blocks(const FieldStore<dim>& store, const Chains& chains, st
     for (std::size_t i = 0; i < owned; ++i)
     {
         if (!Ambient::isMoving(kinds.ambient(i)) || kinds.isHeld(i)) continue;
-        const auto cell = map_.cellOf(chains.at(i));
+        const auto cell = chains.cellOf(i);
         if (map_.squaredDistance(cell) <= sqr(freeWidth_ + keptFrom * (widthOfMotion_ - freeWidth_))) continue;
         auto& block = all[map_.blockOf(cell, cellsOfBlock)];
         block.excess += 1 - V[i] / restVolume_;

@@ -5,6 +5,7 @@
 #include "geometry/Geometry.hpp"
 #include "geometry/components.hpp"
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -18,7 +19,8 @@ public:
     LiquidDistance(const Geometry&, double spacing);
 
     void clear();
-    void mark(const Vector<3>& x) { liquid_[cellOf(x)] = 1; }
+    /// By several threads at once.
+    void mark(const Vector<3>& x) { std::atomic_ref(liquid_[cellOf(x)]).store(1, std::memory_order_relaxed); }
     /// Ends the marking: distances as far as `reach` [spacings]. All ranks must call it.
     void measure(double reach);
 

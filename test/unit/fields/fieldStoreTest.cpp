@@ -1,5 +1,6 @@
 /// The store holds what was asked for and nothing else, keeps values through growth, and sorts the state alone.
 #include "fields/FieldStore.hpp"
+#include <algorithm>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -63,6 +64,18 @@ TEST(FieldStore, KeepsValuesThroughGrowth)
     store.resize(50);
     for (int i = 0; i < 50; ++i) EXPECT_EQ(store.component("rho", 0)[i], i < 3 ? i + 1 : 0);
     EXPECT_TRUE(store.fields().at("rho").state);
+}
+
+// What is added after some were given up is 0, and not what was there.
+TEST(FieldStore, ForgetsWhatWasGivenUp)
+{
+    FieldStore<2> store;
+    store.allocate(Density{});
+    store.resize(3000);
+    std::fill_n(store.component("rho", 0), 3000, 7);
+    store.resize(1000);
+    store.resize(2500);
+    for (int i = 0; i < 2500; ++i) ASSERT_EQ(store.component("rho", 0)[i], i < 1000 ? 7 : 0) << i;
 }
 
 // Images have room in the named fields alone, also after a later resize.

@@ -33,5 +33,28 @@ TEST(AverageInBoxes, LeavesWhatIsUniform)
         for (const double value : u[c]) EXPECT_NEAR(value, c - 1.5, 1e-15);
 }
 
+TEST(AverageInBoxes, SumsInTheOrderOfTheParticles)
+{
+    // Particles of seven boxes in turns of 1 to 40, so that a box is met again and again: to the last bit what one loop over all of them sums.
+    std::vector<double> x, y, m, u, mass(7), momentum(7);
+    std::vector<std::size_t> box;
+    for (int turn = 0; x.size() < 5000; ++turn)
+        for (int k = 0; k < 1 + turn * 7 % 40; ++k)
+        {
+            const int i = int(x.size());
+            box.push_back(std::size_t(turn * 3 % 7));
+            x.push_back(double(box.back()) + 0.5 + 0.4 * std::sin(i));
+            y.push_back(0.5);
+            m.push_back(1 + 0.1 * std::cos(i));
+            u.push_back(std::sin(2.0 * i));
+            mass[box.back()] += m.back();
+            momentum[box.back()] += m.back() * u.back();
+        }
+    std::vector<double> v = u;
+    averageInBoxes<2>({u.data(), v.data()}, {x.data(), y.data()}, m.data(), m.size(), 1);
+    for (std::size_t i = 0; i < x.size(); ++i) ASSERT_EQ(u[i], 1 / mass[box[i]] * momentum[box[i]]) << i;
+    EXPECT_EQ(u, v);
+}
+
 }
 }
