@@ -19,7 +19,7 @@ public:
     LiquidDistance(const Geometry&, double spacing);
 
     void clear();
-    /// By several threads at once.
+    /// Several threads may mark at once.
     void mark(const Vector<3>& x) { std::atomic_ref(liquid_[cellOf(x)]).store(1, std::memory_order_relaxed); }
     /// Ends the marking: distances as far as `reach` [spacings]. All ranks must call it.
     void measure(double reach);
