@@ -37,17 +37,17 @@ template<int dim> void FieldStore<dim>::keepImagesOf(const std::set<std::string>
     resize(size_, owned_);
 }
 
-template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
+template<int dim> void FieldStore<dim>::resizeIf(const auto& concerns, std::size_t n)
 {
-    size_ = n;
-    owned_ = owned;
     std::vector<std::span<double>> added;
-    for (auto& [_, field] : fields_)
+    for (auto& [name, field] : fields_)
         for (auto& a : field.component)
         {
-            const std::size_t length = field.imaged ? n : owned, before = std::min(a.size(), length);
-            // The number of images changes a little at each rebuild: some room spares most reallocations.
-            if (length > a.capacity()) a.reserve(length + (n - owned) / 20);
+            if (!concerns(name)) continue;
+            const std::size_t length = field.imaged ? n : owned_, before = std::min(a.size(), length);
+            // The number of images changes a little at each rebuild, and so does that of particles where some come and go: some room spares most reallocations.
+            const std::size_t spare = field.imaged ? n - owned_ : a.empty() ? 0 : owned_;
+            if (length > a.capacity()) a.reserve(length + spare / 20);
             a.resize(length);
             added.push_back(std::span(a).subspan(before));
         }
@@ -57,6 +57,18 @@ template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
 #pragma omp for simd schedule(static) nowait
         for (std::size_t k = 0; k < part.size(); ++k) part[k] = 0;
     }
+}
+
+template<int dim> void FieldStore<dim>::resize(std::size_t n, std::size_t owned)
+{
+    size_ = n;
+    owned_ = owned;
+    resizeIf([](const auto&) { return true; }, n);
+}
+
+template<int dim> void FieldStore<dim>::makeRoom(const std::set<std::string>& fields, std::size_t n)
+{
+    resizeIf([&](const auto& name) { return fields.contains(name); }, n);
 }
 
 template<int dim> void FieldStore<dim>::sortState(const std::vector<int>& order, std::span<double> room)

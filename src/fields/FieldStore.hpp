@@ -52,7 +52,7 @@ public:
         ValueType type;
         std::vector<Array> component;
         bool state = false; ///< travels with the particles when they are sorted; derived fields are recomputed instead
-        bool imaged = true; ///< has room for images; what no pass reads at a neighbour needs none
+        bool imaged = true; ///< has room for images
     };
 
     /// An array of the current size for each component, filled with 0; asking twice is harmless.
@@ -89,10 +89,13 @@ public:
 
     /// Gives up the room of images in every field but the named ones.
     void keepImagesOf(const std::set<std::string>& fields);
+    bool imaged(const std::string& name) const { return fields_.at(name).imaged; }
 
     /// `n` owned particles + images + null particle, `owned` of them without images.
     void resize(std::size_t n, std::size_t owned);
     void resize(std::size_t n) { resize(n, n); }
+    /// Room for `n` particles in these fields alone, of those that have room for images, until the next `resize`: what is known of images before it is known which of them anybody sees.
+    void makeRoom(const std::set<std::string>& fields, std::size_t n);
     std::size_t size() const { return size_; }
     std::size_t owned() const { return owned_; }
 
@@ -107,6 +110,9 @@ public:
 private:
     std::map<std::string, Field> fields_;
     std::size_t size_ = 0, owned_ = 0;
+
+    /// Gives the arrays of fields for which `concerns(name)` holds the room of `n` particles, those without images that of the owned ones.
+    void resizeIf(const auto& concerns, std::size_t n);
 };
 
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 
 namespace sph
 {
@@ -151,13 +152,42 @@ template<int dim> void Images<dim>::keepIf(const auto& kept)
     if (!feet_.empty()) feet_.resize(foot);
 }
 
-template<int dim> void Images<dim>::keepSeen(std::span<const char> seen)
+namespace
 {
-    const std::size_t copies = sources_ - owned_;
-    keepIf([&](std::size_t k) { return seen[copies + k]; });
+/// Vectors that grow by themselves double, and images are forgotten: of many that is more than a field.
+void trim(auto&... vectors) { ((vectors.capacity() > vectors.size() + vectors.size() / 10 ? vectors.shrink_to_fit() : void()), ...); }
+
+/// What an image is by itself, rather than by its source.
+const std::set<std::string> ofPlaces{Position::info.name, ImageWeight::info.name, GhostWall::info.name};
 }
 
-template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t owned, bool remember)
+template<int dim> void Images<dim>::keepSeen(FieldStore<dim>& store, NeighbourLists<dim>& lists)
+{
+    const auto seen = lists.seen();
+    const std::size_t copies = sources_ - owned_, made = entries_.size();
+    keepIf([&](std::size_t k) { return seen[copies + k]; });
+    trim(entries_, mirrors_, firstFoot_, feet_);
+    if (entries_.size() < made)
+    {
+        // Of each particle behind the owned ones, the null particle last. An image that is forgotten has the number of the next that is not.
+        std::vector<int> numbers(seen.size() + 1);
+        int next = int(owned_);
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+        {
+            numbers[k] = next;
+            next += k < copies || k >= copies + made || seen[k];
+        }
+        for (const auto& name : ofPlaces)
+            for (std::size_t c = 0; store.has(name) && c < store.fields().at(name).component.size(); ++c)
+                for (double* const a = store.component(name, int(c)); const std::size_t k : std::views::iota(0u, numbers.size()))
+                    a[numbers[k]] = a[owned_ + k];
+        lists.renumber(numbers);
+        if (layers_) layers_->placedFrom(sources_ + entries_.size());
+    }
+    store.resize(nullParticle() + 1, owned_);
+}
+
+template<int dim> void Images<dim>::buildPlaces(FieldStore<dim>& store, std::size_t owned, bool remember)
 {
     owned_ = sources_ = owned;
     entries_.clear();
@@ -185,21 +215,10 @@ template<int dim> void Images<dim>::build(FieldStore<dim>& store, std::size_t ow
         fastest_ = ofAllRanks(fastest_, 1.0, Larger{});
     }
     places_ = {};
-    made_ = entries_.size();
-    for (std::size_t k = 0; k < made_; ++k) entries_[k].place = int(k);
-    // Vectors that grow by themselves double: of many images that is more than a field.
-    const auto trim = [](auto& v)
-    {
-        if (v.capacity() > v.size() + v.size() / 10) v.shrink_to_fit();
-    };
-    trim(entries_);
-    trim(mirrors_);
-    trim(firstFoot_);
-    const std::size_t feet = mirrors_.size();
-    if (feet > feet_.capacity()) feet_.reserve(feet + feet / 20);
-    feet_.resize(feet);
-    store.resize(nullParticle() + 1, owned_);
-    if (layers_) layers_->place(store, sources_ + made_);
+    trim(entries_, mirrors_, firstFoot_);
+    feet_.resize(mirrors_.size());
+    store.makeRoom(ofPlaces, nullParticle() + 1);
+    if (layers_) layers_->place(store, sources_ + entries_.size());
     move(store);
 }
 
@@ -234,7 +253,7 @@ template<int dim> void Images<dim>::move(FieldStore<dim>& store)
         for (std::size_t k = begin; k < end; ++k)
         {
             const Entry& e = entries_[k];
-            const std::size_t at = sources_ + std::size_t(e.place);
+            const std::size_t at = sources_ + k;
             Feet* const feet = feet_.data() + firstFoot_[k];
             auto place_k = valueAt<Vector<dim>>(x, std::size_t(e.source));
             double w = place(e, mirrors_.data() + firstFoot_[k], place_k, feet, weight != nullptr, known);

@@ -50,6 +50,8 @@ public:
 
     /// Writes positions, and walls and volume factors where the store has them, from place `first` on.
     void place(FieldStore<dim>&, std::size_t first);
+    /// They have been moved to the places from `first` on.
+    void placedFrom(std::size_t first) { first_ = first; }
     /// Lists the pairs of which each particle's pressure is made, after the neighbour lists have been built.
     void list(const NeighbourLists<dim>&, std::size_t owned);
 

@@ -19,10 +19,9 @@ template<int dim> struct ImageEntry
     int source;
     std::array<signed char, dim> shift;
     unsigned char reflections = 0;
-    int place = 0; ///< place in the arrays, behind the owned particles and the copies of other ranks'
     bool ghost() const { return reflections > 0; }
 };
-static_assert(sizeof(ImageEntry<3>) <= 12);
+static_assert(sizeof(ImageEntry<3>) <= 8);
 
 /// How far an image is shifted [m].
 template<int dim> Vector<dim> shiftOf(const ImageEntry<dim>& e, const Geometry& geometry)

@@ -65,6 +65,49 @@ template<int dim> std::span<const int> NeighbourLists<dim>::found(std::size_t i,
     return padded(room, find(x, runs, room.entries));
 }
 
+/// Room for codes is kept from one build to the next.
+template<int dim> void NeighbourLists<dim>::Chunk::pack(IndexPacker& packer, std::span<const int> indices, std::size_t total)
+{
+    const std::size_t size = indices.size() + lanes;
+    if (size > codes.capacity())
+    {
+        codes = std::vector<std::uint16_t>();
+        codes.reserve(size + size / 50);
+    }
+    codes.resize(size);
+    wide = std::vector<int>();
+    if (packer.pack(indices, total, pages, codes.data())) return;
+    codes = std::vector<std::uint16_t>();
+    wide.assign(indices.begin(), indices.end());
+}
+
+template<int dim> void NeighbourLists<dim>::renumber(std::span<const int> numbers)
+{
+    nullParticle_ = numbers.back();
+    const auto write = [&](std::size_t first, std::size_t end)
+    {
+        static thread_local std::vector<int> indices;
+        static thread_local IndexPacker packer;
+        for (std::size_t chunk = first; chunk < end; ++chunk)
+        {
+            Chunk& c = chunks_[chunk];
+            if (!c.namesOthers) continue;
+            const unsigned n = c.begin.back();
+            indices.resize(std::max(indices.size(), std::size_t(n) + lanes));
+            c.unpack(0, int(n), indices.data());
+            int* const j = indices.data();
+#pragma omp simd
+            for (unsigned t = 0; t < n; ++t)
+                if (const int k = j[t] - int(owned_); k >= 0) j[t] = numbers[std::size_t(k)];
+            c.pack(packer, {indices.data(), n}, std::size_t(nullParticle_));
+        }
+    };
+    Stretches stretches(chunks_.size(), 1);
+#pragma omp parallel
+    stretches.forEach(write);
+    seen_.clear();
+}
+
 template<int dim>
 void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::size_t owned, std::size_t total, double radius, Stored stored,
                                 std::span<double> room)
@@ -95,6 +138,7 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
             typename CellList<dim>::Cell last;
             last.fill(-1);
             std::size_t candidates = 0;
+            bool namesOthers = false;
             for (std::size_t i = chunk * chunkSize; i < std::min(owned, (chunk + 1) * chunkSize); ++i)
             {
                 const auto x_i = valueAt<Vector<dim>>(x, i);
@@ -114,7 +158,11 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
                     crowded = std::min(crowded, i);
                     n = mostNeighbours;
                 }
-                if (!seen_.empty() && see({indices.data() + used, std::size_t(n)}) && partsInterior_) seesOthers[i] = 1;
+                if (!seen_.empty() && see({indices.data() + used, std::size_t(n)}))
+                {
+                    namesOthers = true;
+                    if (partsInterior_) seesOthers[i] = 1;
+                }
                 used += unsigned(n);
             }
             std::fill(beginOf.begin() + std::ptrdiff_t(std::min(owned - chunk * chunkSize, chunkSize)), beginOf.end(), used);
@@ -123,17 +171,8 @@ void NeighbourLists<dim>::build(const std::array<const double*, dim>& x, std::si
             if (stored == Stored::no) continue;
             Chunk& out = chunks_[chunk];
             out.begin = beginOf;
-            const std::size_t size = used + lanes;
-            if (size > out.codes.capacity())
-            {
-                out.codes = std::vector<std::uint16_t>();
-                out.codes.reserve(size + size / 50);
-            }
-            out.codes.resize(size);
-            out.wide = std::vector<int>();
-            if (packer.pack({indices.data(), used}, total, out.pages, out.codes.data())) continue;
-            out.codes = std::vector<std::uint16_t>();
-            out.wide.assign(indices.begin(), indices.begin() + used);
+            out.namesOthers = namesOthers;
+            out.pack(packer, {indices.data(), used}, total);
         }
     };
     Stretches stretches(chunks, 1);

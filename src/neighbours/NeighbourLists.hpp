@@ -68,12 +68,13 @@ public:
         const Chunk& c = chunks_[i / chunkSize];
         const unsigned begin = c.begin[i % chunkSize];
         const int n = int(c.begin[i % chunkSize + 1] - begin);
-        if (c.wide.empty()) unpackIndices(c.codes.data() + begin, n, c.pages, room.entries);
-        else std::copy_n(c.wide.data() + begin, n, room.entries);
+        c.unpack(begin, n, room.entries);
         return padded(room, n);
     }
-    /// Whether some stored list names a particle that is not owned, for each of those.
+    /// Whether some stored list names a particle that is not owned, for each of those; until they are renumbered.
     std::span<const char> seen() const { return seen_; }
+    /// Gives what is not owned other numbers in stored lists: numbers[k] to particle owned + k, the last of them to the null particle. What lists name keeps its order.
+    void renumber(std::span<const int> numbers);
     /// Length of a stored list, without padding.
     std::size_t sizeOf(std::size_t i) const
     {
@@ -138,9 +139,17 @@ private:
         std::vector<int> wide; ///< the indices themselves, where they take too many pages: then there are no codes
         IndexPages pages;
         std::array<unsigned, chunkSize + 1> begin; ///< of each list
+        bool namesOthers;                          ///< that are not owned
         IndexArray within, withinCount;            ///< none where no pass keeps
         Array slopes;                              ///< likewise
         SingleArray singleSlopes;                  ///< in place of slopes
+        /// Indices from place `first` on; `to` needs room for 7 more.
+        void unpack(unsigned first, int n, int* to) const
+        {
+            if (wide.empty()) unpackIndices(codes.data() + first, n, pages, to);
+            else std::copy_n(wide.data() + first, n, to);
+        }
+        void pack(IndexPacker&, std::span<const int> indices, std::size_t total);
         /// Lists within the support are padded.
         std::size_t withinBegin(std::size_t k) const { return begin[k] + k * lanes; }
     };

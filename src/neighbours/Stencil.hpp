@@ -101,6 +101,13 @@ template<int dim, class Real = double> struct Stencil : PairColumns<dim, Real>
         const int left = columnCount - packedColumns - (array - 1) * recordSize;
         return left < 2 ? 0 : std::min(recordSize, (left + 1) / 2 * 2);
     }
+    /// Whether the last column is gathered by index.
+    static constexpr bool lastByIndex(int columnCount)
+    {
+        int packed = packedColumns;
+        for (int array = 1; recordWidth(array, columnCount) > 0; ++array) packed += recordWidth(array, columnCount);
+        return packed < columnCount;
+    }
     /// Doubles a particle in all of them.
     static constexpr int recordsWidth(int columnCount)
     {

@@ -57,10 +57,9 @@ public:
     {}
 
     void allocate(FieldStore<dim>&) const;
-    /// Fields that images need values of: positions, volume factors and those that some pass gathers.
-    std::set<std::string> readAtNeighbours() const;
-    /// Fields that passes read of copies of other ranks' particles: the same, and those that rules of images read of their source.
-    std::set<std::string> readOfCopies() const;
+    /// Fields that images need room for: what they are by themselves, and what is gathered by index; all else that passes gather is computed where it is packed. Where walls are layers these are all fields that
+    /// some pass gathers, and where ranks share the particles those that rules of images read of copies as well.
+    std::set<std::string> imaged(const Images<dim>&, const FieldStore<dim>&) const;
     /// Binds terms to their arrays; to be called again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
     /// Runs the passes of a group. `kernel` is the scene's, the same for all groups: a group that has its own says so itself. `deltaT` [s] is the step of laws that
@@ -104,6 +103,12 @@ private:
         std::map<std::string, int> firstColumn;      ///< components read at j, each gathered once
         std::vector<FieldUse<dim>> columns, refresh; ///< refresh: those written since images last saw them
         std::vector<const double*> sources;
+        struct Packed
+        {
+            FieldUse<dim> field;
+            std::size_t column; ///< its first
+        };
+        std::vector<Packed> packed; ///< fields without room for images
         std::vector<std::unique_ptr<Operation<dim>>> operations;
         PairFactors factors;                          ///< columns of the factors, behind those of the terms
         bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
@@ -128,10 +133,20 @@ private:
     std::vector<Passes> groups_;
     /// Positions and columns of the pass at hand, packed, as doubles or floats.
     std::vector<std::byte, AlignedAllocator<std::byte>> records_;
+    std::set<std::string> packed_; ///< fields that have no room for images, whose values some pass computes where it packs them
     bool keepsSingleSlopes_ = false;
     Counts* counts_ = nullptr;
     long pairPassesRun_ = 0;
 
+    std::set<std::string> readAtNeighbours() const;
+    std::set<std::string> readOfCopies() const;
+    /// The columns that a pass reads at neighbours, by field and component: those of its terms, and the factors of pairs behind them.
+    struct ColumnsOfPass
+    {
+        std::vector<std::pair<std::string, int>> all;
+        PairFactors factors;
+    };
+    ColumnsOfPass columnsOf(const Group&, const Pass&, const FieldStore<dim>&) const;
     /// Calls f(field) for all that an entry reads, rules of images included.
     void forEachRead(const Entry&, const std::function<void(const FieldUse<dim>&)>& f) const;
     std::set<std::string> outdatedBy(std::set<std::string> fields) const;
@@ -144,8 +159,8 @@ private:
     void evaluatePairs(const Pass&, FieldStore<dim>&, const Images<dim>&, NeighbourLists<dim>&, const Kernel<dim>&,
                        std::optional<std::span<const int>> only, std::span<const std::uint8_t> leftOut);
     template<class Real> Real* packed() { return reinterpret_cast<Real*>(records_.data()); }
-    /// Packs positions and columns of the particles [begin, end): in arrays of Stencil::recordWidth doubles, or as records of single precision.
-    void pack(const Pass&, FieldStore<dim>&, const PlaceUnits<dim>&, std::size_t begin, std::size_t end);
+    /// Packs positions and columns of the particles [begin, end), images among them: in arrays of Stencil::recordWidth doubles, or as records of single precision.
+    void pack(const Pass&, FieldStore<dim>&, const Images<dim>&, std::size_t begin, std::size_t end);
     /// Fields that a pass reads of copies of other ranks' particles, and that were written since these were last refreshed.
     std::vector<std::string> copiedFor(const Pass&, const FieldStore<dim>&) const;
 };

@@ -67,6 +67,28 @@ template<int dim> std::set<std::string> Plan<dim>::readOfCopies() const
     return read;
 }
 
+template<int dim> std::set<std::string> Plan<dim>::imaged(const Images<dim>& images, const FieldStore<dim>& store) const
+{
+    if (images.halo()) return readOfCopies();
+    auto read = readAtNeighbours();
+    if (images.layers()) return read;
+    std::set<std::string> own{Position::info.name, ImageWeight::info.name};
+    for (const auto& g : groups_)
+    {
+        for (const auto& pass : g.passes)
+        {
+            for (const auto& f : pass.columns)
+                if (f.info.image == Image::placed) own.insert(f.name);
+            const auto columns = columnsOf(g.group, pass, store).all;
+            if (pass.pair() && !pass.single && Stencil<dim>::lastByIndex(int(columns.size()))) own.insert(columns.back().first);
+        }
+        if (g.group.sharesBy.empty()) continue;
+        own.insert(BoundaryShare::info.name);
+        own.insert(g.group.sharesBy.begin(), g.group.sharesBy.end());
+    }
+    return own;
+}
+
 template<int dim> std::vector<std::string> Plan<dim>::copiedFor(const Pass& pass, const FieldStore<dim>& store) const
 {
     std::set<std::string> fields;
@@ -81,26 +103,44 @@ template<int dim> std::vector<std::string> Plan<dim>::copiedFor(const Pass& pass
     return {fields.begin(), fields.end()};
 }
 
+template<int dim> auto Plan<dim>::columnsOf(const Group& group, const Pass& pass, const FieldStore<dim>& store) const -> ColumnsOfPass
+{
+    ColumnsOfPass columns;
+    for (const auto& f : pass.columns)
+        for (int c = 0; c < f.type.components; ++c) columns.all.emplace_back(f.name, c);
+    const auto factor = [&](bool needed, const FieldInfo& info)
+    {
+        if (needed) columns.all.emplace_back(info.name, 0);
+        return needed ? int(columns.all.size()) - 1 : -1;
+    };
+    const bool given = !group.sharesBy.empty(), weighs = pass.pair() && (!pass.slopes || pass.readsKernel);
+    columns.factors.weight = factor(weighs && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info);
+    columns.factors.scale = factor(pass.normalised && !pass.slopes, GradientScale::info);
+    return columns;
+}
+
 template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficients& coefficients)
 {
+    packed_.clear();
     for (auto& g : groups_)
     {
         std::set<std::string> written = state_; // what adds to a state changes it, and never overwrites it
         for (auto& pass : g.passes)
         {
             pass.sources.clear();
+            pass.packed.clear();
             pass.operations.clear();
-            for (const auto& f : pass.columns)
-                for (int c = 0; c < f.type.components; ++c) pass.sources.push_back(store.component(f.name, c));
-            const auto factor = [&](bool needed, const FieldInfo& info)
+            const auto columns = columnsOf(g.group, pass, store);
+            for (const auto& [field, c] : columns.all) pass.sources.push_back(store.component(field, c));
+            pass.factors = columns.factors;
+            const auto packedIf = [&](const FieldUse<dim>& f, int column)
             {
-                if (needed) pass.sources.push_back(store.component(info.name, 0));
-                return needed ? int(pass.sources.size()) - 1 : -1;
+                if (column < 0 || store.imaged(f.name)) return;
+                pass.packed.push_back({f, std::size_t(column)});
+                packed_.insert(f.name);
             };
-            const bool given = !g.group.sharesBy.empty();
-            const bool weighs = pass.pair() && (!pass.slopes || pass.readsKernel);
-            pass.factors = {factor(weighs && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info),
-                            factor(pass.normalised && !pass.slopes, GradientScale::info)};
+            for (const auto& f : pass.columns) packedIf(f, pass.firstColumn.at(f.name));
+            packedIf(uses<dim>(Fields<GradientScale>{})[0], pass.factors.scale);
             for (const auto* e : pass.entries)
             {
                 auto names = e->names;
@@ -113,7 +153,7 @@ template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficient
 }
 
 template<int dim>
-void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const PlaceUnits<dim>& units, std::size_t begin, std::size_t end)
+void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const Images<dim>& images, std::size_t begin, std::size_t end)
 {
     const std::size_t n = store.size();
     const int columns = int(pass.sources.size()), single = pass.single ? singleRecordSize<dim>(columns) : 0;
@@ -128,37 +168,53 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const PlaceUnits<
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
     from.resize(from.size() + std::size_t(std::max(recordSize, single)), from[0]);
-    const std::size_t block = 512, images = std::clamp(store.owned(), begin, end);
-    // Each thread packs its share of particles and of images: those that it has computed, and gathers.
-#pragma omp parallel
+    auto ofImages = from; // what has room for them, in any value else
+    for (const auto& [field, column] : pass.packed) std::fill_n(ofImages.begin() + long(dim + column), field.type.components, from[0]);
+
+    using Columns = std::array<const double*, std::bit_ceil(unsigned(dim + Stencil<dim>::maxColumns))>; // of a block
+    const auto units = images.placeUnits();
+    const auto packBlock = [&](const Columns& block, std::size_t first, std::size_t count)
     {
-        const auto inBlocks = [&](const auto& packBlock)
-        {
-#pragma omp for schedule(static) nowait
-            for (std::size_t b = begin; b < images; b += block) packBlock(b, std::min(block, images - b));
-#pragma omp for schedule(static) nowait
-            for (std::size_t b = images; b < end; b += block) packBlock(b, std::min(block, end - b));
-        };
-        const auto at = [&](const double* const* of, int width, std::size_t b)
-        {
-            std::array<const double*, std::bit_ceil(unsigned(dim + Stencil<dim>::maxColumns))> part;
-            for (int c = 0; c < width; ++c) part[std::size_t(c)] = of[c] + b;
-            return part;
-        };
-        if (single)
-            inBlocks(
-                [&](std::size_t b, std::size_t count) {
-                    packSingleRecords(at(from.data(), single, b).data(), columns, units, count, packed<float>() + b * std::size_t(single));
-                });
+        if (single) packSingleRecords(block.data(), columns, units, count, packed<float>() + first * std::size_t(single));
         double* to = packed<double>();
-        const double* const* of = from.data();
+        const double* const* of = block.data();
         for (int a = 0; !single && Stencil<dim>::recordWidth(a, columns) > 0; ++a)
         {
             const int width = Stencil<dim>::recordWidth(a, columns);
-            inBlocks([&](std::size_t b, std::size_t count)
-                     { packRecords(at(of, width, b).data(), width, count, to + b * std::size_t(width)); });
+            packRecords(of, width, count, to + first * std::size_t(width));
             to += std::size_t(width) * n;
             of += width;
+        }
+    };
+    const auto at = [](const std::vector<const double*>& all, std::size_t first)
+    {
+        Columns block{};
+        for (std::size_t c = 0; c < all.size(); ++c) block[c] = all[c] + first;
+        return block;
+    };
+    constexpr std::size_t size = 512;
+    const std::size_t firstImage = std::clamp(store.owned(), begin, end);
+    // Each thread packs its share of particles and of images: those that it has computed, and gathers.
+#pragma omp parallel
+    {
+#pragma omp for schedule(static) nowait
+        for (std::size_t first = begin; first < firstImage; first += size)
+            packBlock(at(from, first), first, std::min(size, firstImage - first));
+        static thread_local std::vector<double> computed;
+        computed.resize(from.size() * size);
+#pragma omp for schedule(static) nowait
+        for (std::size_t first = firstImage; first < end; first += size)
+        {
+            const std::size_t count = std::min(size, end - first);
+            auto block = at(ofImages, first);
+            for (const auto& [field, column] : pass.packed)
+            {
+                std::array<double*, Stencil<dim>::maxColumns> to;
+                for (std::size_t c = 0; c < std::size_t(field.type.components); ++c)
+                    block[dim + column + c] = to[c] = computed.data() + (column + c) * size;
+                field.compute(images, store, field.name, first, count, to.data());
+            }
+            packBlock(block, first, count);
         }
     }
 }
@@ -242,14 +298,14 @@ void Plan<dim>::evaluatePairs(const Pass& pass, FieldStore<dim>& store, const Im
                 for (const auto& f : pass.refresh)
                     for (int c = 0; f.info.image != Image::placed && c < f.type.components; ++c)
                         images.setNullParticle(store.component(f.name, c));
-                pack(pass, store, units, 0, owned);
-                pack(pass, store, units, std::size_t(null), std::size_t(null) + 1);
+                pack(pass, store, images, 0, owned);
+                pack(pass, store, images, std::size_t(null), std::size_t(null) + 1);
                 if (!only) over(lists.interior().size(), lists.interior().data(), k);
                 halo->finish();
                 firstToPack = owned;
             }
             for (const auto& f : pass.refresh) f.refresh(images, store, f.name);
-            pack(pass, store, units, firstToPack, store.size());
+            pack(pass, store, images, firstToPack, store.size());
             if (only) over(only->size(), only->data(), k);
             else if (halo) over(lists.border().size(), lists.border().data(), k);
             else over(owned, nullptr, k);
@@ -320,7 +376,10 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
             if (pass.normalised && !pass.slopes) out << ' ' << GradientScale::info.name;
             if (pass.single) out << " in single precision";
             out << "\n          images     positions";
-            for (const auto& f : pass.refresh) out << ' ' << f.name;
+            for (const auto& f : pass.refresh)
+                if (!packed_.contains(f.name)) out << ' ' << f.name;
+            if (!pass.packed.empty()) out << "; when packed";
+            for (const auto& [field, _] : pass.packed) out << ' ' << field.name;
             if (pass.keepsWithin || pass.keepsSlopes) out << "\n          keeps     ";
             if (pass.keepsWithin) out << " neighbours";
             if (pass.keepsSlopes) out << " (dW/dr)/r" << (keepsSingleSlopes_ ? " in single precision" : "");

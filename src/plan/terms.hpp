@@ -205,11 +205,14 @@ template<int dim> struct FieldUse
     FieldInfo info;
     std::string name; ///< in this scene
     ValueType type;
-    void (*refresh)(const Images<dim>&, FieldStore<dim>&, const std::string& name);
+    void (*refresh)(const Images<dim>&, FieldStore<dim>&, const std::string& name) = nullptr;
+    void (*compute)(const Images<dim>&, FieldStore<dim>&, const std::string& name, std::size_t first, std::size_t n,
+                    double* const* to) = nullptr;
 };
 template<int dim, class... F> std::vector<FieldUse<dim>> uses(Fields<F...>, const Names& names = {})
 {
-    return {{F::info, nameIn(names, F::info.name), valueType<FieldValue<F, dim>>, &Images<dim>::template refresh<F>}...};
+    return {{F::info, nameIn(names, F::info.name), valueType<FieldValue<F, dim>>, &Images<dim>::template refresh<F>,
+             &Images<dim>::template compute<F>}...};
 }
 
 /// Arrays in which bound terms find their numbers: those of the store, and the stencil column of each component read at j. `adds`: something

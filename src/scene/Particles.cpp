@@ -40,7 +40,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (images_.recalls()) store_.allocateState(ImagesMade{});
     for (const auto& maker : settings.runningModels) runningModels_.push_back(maker.template make<dim>()(*this, restored));
     for (const auto place : withinStages) joined_[place] = stages(place);
-    store_.keepImagesOf(halo_ ? plan_.readOfCopies() : plan_.readAtNeighbours());
+    store_.keepImagesOf(plan_.imaged(images_, store_));
     load(std::move(cloud), !restored.empty());
     run(JoinPoint::loaded);
     rebuild();
@@ -116,10 +116,10 @@ template<int dim> bool Particles<dim>::holdsAny() const { return ofAllRanks(held
 
 template<int dim> void Particles<dim>::makeLists(bool inPassing)
 {
-    images_.build(store_, owned_, !inPassing);
+    images_.buildPlaces(store_, owned_, !inPassing);
     lists_.build(std::as_const(store_).pointers(Position{}), owned_, images_.nullParticle(), settings_.searchReach() + skin_,
                  NeighbourLists<dim>::Stored::yes, plan_.idle());
-    images_.keepSeen(lists_.seen());
+    images_.keepSeen(store_, lists_);
     images_.listLayers(lists_);
     bind();
 }

@@ -29,7 +29,7 @@ template<int dim> std::map<std::string, std::vector<FieldUse<dim>>> rulesOf(cons
 {
     std::map<std::string, std::vector<FieldUse<dim>>> rules;
     for (const auto& [field, fields] : settings.ruleReads)
-        for (const auto& f : fields) rules[field].push_back({f.info, f.name, f.type(dim), nullptr});
+        for (const auto& f : fields) rules[field].push_back({f.info, f.name, f.type(dim)});
     return rules;
 }
 

@@ -25,13 +25,14 @@ template<int dim> void FreeBodies<dim>::find(const Particles<dim>& particles)
     JoinedTrees trees;
     trees.reset(n);
     std::vector<Link> across;
-    const std::size_t last = particles.images().nullParticle();
+    const auto& images = particles.images();
+    const std::size_t last = n + images.count();
     typename NeighbourLists<dim>::Room room;
     for (std::size_t i = 0; i < n; ++i)
         for (const int j : particles.lists().of(i, room))
         {
             if (std::size_t(j) >= last) continue;
-            const auto of = std::size_t(number[j]);
+            const auto of = std::size_t(number[images.sourceOf(std::size_t(j))]);
             if (of >= before_ && of < before_ + n) trees.join(i, of - before_);
             else across.push_back({i, of});
         }

@@ -18,15 +18,20 @@ template<int dim> std::optional<StoredEnergy> InterfaceArea<dim>::energy(const P
     const double *phase = particles.store().pointers(Phase{})[0], *V = particles.store().pointers(Volume{})[0];
     const auto x = particles.store().pointers(Position{});
     const auto at = [&x](std::size_t i) { return valueAt<Vector<dim>>(x, i); };
-    const std::size_t n = c.phases.size();
+    const auto& images = particles.images();
+    const std::size_t n = c.phases.size(), last = particles.size() + images.count(); // particles of layers have no phase
     const double twice = sum(particles.size(),
                              [&](std::size_t i)
                              {
                                  double across = 0;
                                  typename NeighbourLists<dim>::Room room;
                                  for (const int j : particles.lists().of(i, room))
-                                     if (phase[j] != phase[i] && mag(at(std::size_t(j)) - at(i)) < H)
-                                         across += gamma[std::size_t(phase[i]) * n + std::size_t(phase[j])] * V[j];
+                                 {
+                                     if (std::size_t(j) >= last) continue;
+                                     const std::size_t of = images.sourceOf(std::size_t(j));
+                                     if (phase[of] != phase[i] && mag(at(std::size_t(j)) - at(i)) < H)
+                                         across += gamma[std::size_t(phase[i]) * n + std::size_t(phase[of])] * V[of];
+                                 }
                                  return V[i] * across;
                              });
     return StoredEnergy{"interfaces", 0.5 * twice / norm};

@@ -3,7 +3,7 @@
 #include "neighbours/NeighbourLists.hpp"
 #include <cmath>
 #include <gtest/gtest.h>
-#include <set>
+#include <map>
 
 namespace sph
 {
@@ -106,7 +106,7 @@ TEST(Images, MoveWithTheirSources)
     }
 }
 
-// Images that no list names are forgotten: the others stay in their places, and lists, sums and what moves are as before.
+// Images that no list names are forgotten: the others follow one another in the arrays, in the same order, and are where they were, at once and when they are moved.
 TEST(Images, ThatNobodySeesAreForgotten)
 {
     Geometry ball = domain(2, {1, 1, 0}, {true, false, false});
@@ -118,26 +118,54 @@ TEST(Images, ThatNobodySeesAreForgotten)
             points.push_back(p);
     const double reach = 0.2;
     Imaged<2> all(ball, reach, points), seen(ball, reach, points);
-    NeighbourLists<2> lists;
-    lists.build(std::as_const(seen.store).pointers(Position{}), points.size(), seen.images.nullParticle(), reach);
-    seen.images.keepSeen(lists.seen());
-    std::set<int> named;
-    NeighbourLists<2>::Room room;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (const int j : lists.of(i, room))
-            if (j >= int(points.size()) && j < int(seen.images.nullParticle())) named.insert(j);
-    EXPECT_EQ(seen.images.count(), named.size());
+    NeighbourLists<2> listsOfAll, lists;
+    for (auto& [scene, of] : {std::pair(&all, &listsOfAll), std::pair(&seen, &lists)})
+        of->build(std::as_const(scene->store).pointers(Position{}), points.size(), scene->images.nullParticle(), reach);
+    seen.images.keepSeen(seen.store, lists);
     EXPECT_LT(seen.images.count(), 0.9 * double(all.images.count()));
-    EXPECT_EQ(seen.images.nullParticle(), all.images.nullParticle());
-    const auto places = all.places();
-    for (std::size_t k = 0; k < places.size(); ++k)
-        sph::store(Vector<2>{}, [&](int c, double q) { seen.store.component("positions", c)[points.size() + k] = q; });
-    seen.images.move(seen.store);
-    for (const int j : named)
+    EXPECT_EQ(seen.store.size(), points.size() + seen.images.count() + 1);
+    const auto holdsTheSame = [&]
     {
-        EXPECT_EQ(mag(positionOf(seen.store, std::size_t(j)) - positionOf(all.store, std::size_t(j))), 0) << j;
-        EXPECT_EQ(seen.store.component("volumeFactor", 0)[j], all.store.component("volumeFactor", 0)[j]) << j;
+        std::map<int, int> placeOf; // of each that is named, by where it was
+        NeighbourLists<2>::Room roomOfAll, room;
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            const auto before = listsOfAll.of(i, roomOfAll), now = lists.of(i, room);
+            ASSERT_EQ(before.size(), now.size()) << i;
+            for (std::size_t t = 0; t < now.size(); ++t)
+                ASSERT_EQ(placeOf.try_emplace(before[t], now[t]).first->second, now[t]) << "particle " << i;
+        }
+        int last = -1;
+        for (const auto& [before, now] : placeOf)
+        {
+            EXPECT_EQ(now, last + 1); // all of the places, in order: each owned particle is in its own list
+            last = now;
+            EXPECT_EQ(mag(positionOf(seen.store, std::size_t(now)) - positionOf(all.store, std::size_t(before))), 0) << before;
+            EXPECT_EQ(seen.store.component("volumeFactor", 0)[now], all.store.component("volumeFactor", 0)[before]) << before;
+        }
+        EXPECT_EQ(last, int(seen.images.nullParticle()));
+    };
+    holdsTheSame();
+    for (auto* scene : {&all, &seen})
+    {
+        for (std::size_t i = 0; i < points.size(); ++i) scene->store.component("positions", 1)[i] += 1e-3;
+        scene->images.move(scene->store);
     }
+    holdsTheSame();
+}
+
+// Fields other than places get room for the images that are seen alone.
+TEST(Images, ThatNobodySeesTakeNoRoom)
+{
+    Imaged<2> scene(cornerOfBox(2), 0.2, randomPoints<2>(300, {1, 1}));
+    scene.store.allocate(Pressure{});
+    scene.images.buildPlaces(scene.store, 300);
+    const std::size_t all = scene.images.count();
+    NeighbourLists<2> lists;
+    lists.build(std::as_const(scene.store).pointers(Position{}), 300, scene.images.nullParticle(), 0.1);
+    scene.images.keepSeen(scene.store, lists);
+    ASSERT_LT(scene.images.count(), 0.8 * double(all));
+    EXPECT_EQ(scene.store.fields().at("p").component[0].size(), 301 + scene.images.count());
 }
 
 // Of the three within 0.06 m of the floor or of the block one is also near both, and is told once.

@@ -116,6 +116,49 @@ TEST(NeighbourLists, HoldWhatIsWithinInASceneOfManyPages)
     someListsHoldWhatIsWithin(points, radius, 997, 4.1);
 }
 
+/// Lists in which all others than the first `owned` that nobody sees have lost their places: the same particles in the same order, by their new numbers.
+void renumberedListsNameTheSame(const std::vector<Vector<3>>& points, std::size_t owned, double radius, double bytesOfANeighbour)
+{
+    using Lists = NeighbourLists<3>;
+    FieldStore<3> store;
+    setPositions(store, points);
+    Lists before, lists;
+    before.build(positions(store), owned, points.size(), radius);
+    lists.build(positions(store), owned, points.size(), radius);
+    std::vector<int> numbers;
+    int next = int(owned);
+    for (const char seen : lists.seen())
+    {
+        numbers.push_back(next);
+        next += seen;
+    }
+    ASSERT_LT(next, int(points.size()) - 1000);
+    ASSERT_GT(next, int(owned) + 1000);
+    numbers.push_back(next);
+    lists.renumber(numbers);
+    EXPECT_EQ(lists.pairs(), before.pairs());
+    EXPECT_NEAR(double(lists.bytes()) / double(lists.pairs()), bytesOfANeighbour, 0.3);
+    Lists::Room room1, room2;
+    for (std::size_t i = 0; i < owned; ++i)
+    {
+        std::vector<int> expected;
+        for (const int j : before.of(i, room1)) expected.push_back(j < int(owned) ? j : numbers[std::size_t(j) - owned]);
+        ASSERT_TRUE(std::ranges::equal(lists.of(i, room2), expected)) << "particle " << i;
+    }
+}
+
+TEST(NeighbourLists, NameTheSameByOtherNumbers)
+{
+    const double radius = 0.05;
+    auto points = randomPoints<3>(90000, {1, 1, 1});
+    const auto owned = std::ranges::partition(points, [](const auto& p) { return p.x < 0.8; }).begin() - points.begin();
+    renumberedListsNameTheSame(points, std::size_t(owned), radius, 4.1);
+    points = sortedByCells(points, radius);
+    std::ranges::stable_partition(points, [](const auto& p) { return p.x < 0.8; });
+    renumberedListsNameTheSame(points, std::size_t(owned), radius, 2.1);
+    renumberedListsNameTheSame({points.begin() + owned - 20000, points.begin() + owned + 10000}, 20000, radius, 2.1);
+}
+
 // So many particles in a plane of cells that rows come in bands.
 TEST(NeighbourLists, HoldWhatIsWithinWhereRowsComeInBands)
 {

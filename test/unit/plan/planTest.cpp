@@ -184,6 +184,28 @@ TEST(Plan, GivesTheSameBitsOnAnyNumberOfThreads)
     }
 }
 
+// Of the fields that passes gather, images have room for none but the one that is gathered by index: values are computed as they are packed, the same bits.
+TEST(Plan, ComputesValuesOfImagesWhereItPacksThem)
+{
+    const std::vector<std::string> terms{"numberDensity",   "summedDensity",     "taitOfPhase",
+                                         "huAdamsPressure", "harmonicViscosity", "transposedViscosity",
+                                         "viscousGradient", "interfaceStress",   "stressDivergence"};
+    for (const auto& geometry : {aroundABall(3, 0.33), periodicBox(3)})
+    {
+        Scene<3> all(geometry, threePhases(3, 0.07, 2.6), terms), few(geometry, threePhases(3, 0.07, 2.6), terms);
+        few.store.keepImagesOf(few.plan->imaged(few.images, few.store));
+        for (const char* name : {"U", "S", "viscousGradient", "V", "mu", "phase"})
+            EXPECT_EQ(few.store.fields().at(name).component[0].size(), few.n) << name;
+        few.plan->bind(few.store, few.coefficients);
+        few.plan->evaluate(few.store, few.images, few.lists, few.kernel);
+        for (const auto& [name, field] : all.store.fields())
+            for (std::size_t c = 0; c < field.component.size(); ++c)
+                EXPECT_TRUE(std::equal(field.component[c].begin(), field.component[c].begin() + long(all.n),
+                                       std::as_const(few.store).component(name, int(c))))
+                    << name;
+    }
+}
+
 // rho_0 of the second phase at 1.1 times its own rest density and n = 7: p = B (1.1^7 - 1) + p_b = 0.9487171 B + p_b, B = rho_0
 // c^2/7.
 TEST(Tait, HasTheHandValue)
