@@ -1,5 +1,5 @@
 /// The arrays of a scene: only those that its plan asked for, one array per component, owned particles first, then images, then
-/// the null particle that pads neighbour lists. Fields that are never read at a neighbour end with the owned particles.
+/// the null particle that pads neighbour lists. Fields without room for images end with the owned particles.
 #pragma once
 #include "fields/fieldTags.hpp"
 #include <array>
@@ -94,7 +94,7 @@ public:
     /// `n` owned particles + images + null particle, `owned` of them without images.
     void resize(std::size_t n, std::size_t owned);
     void resize(std::size_t n) { resize(n, n); }
-    /// Room for `n` particles in these fields alone, of those that have room for images, until the next `resize`: what is known of images before it is known which of them anybody sees.
+    /// Room for `n` particles in these fields alone, of those that have room for images, until the next `resize` (owned particles are as many as before): what is known of images before it is known which of them anybody sees.
     void makeRoom(const std::set<std::string>& fields, std::size_t n);
     std::size_t size() const { return size_; }
     std::size_t owned() const { return owned_; }

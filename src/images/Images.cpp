@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 namespace sph
 {
@@ -178,9 +177,14 @@ template<int dim> void Images<dim>::keepSeen(FieldStore<dim>& store, NeighbourLi
             next += k < copies || k >= copies + made || seen[k];
         }
         for (const auto& name : ofPlaces)
-            for (std::size_t c = 0; store.has(name) && c < store.fields().at(name).component.size(); ++c)
-                for (double* const a = store.component(name, int(c)); const std::size_t k : std::views::iota(0u, numbers.size()))
-                    a[numbers[k]] = a[owned_ + k];
+        {
+            const std::size_t components = store.has(name) ? store.fields().at(name).component.size() : 0;
+            for (std::size_t c = 0; c < components; ++c)
+            {
+                double* const a = store.component(name, int(c));
+                for (std::size_t k = 0; k < numbers.size(); ++k) a[numbers[k]] = a[owned_ + k];
+            }
+        }
         lists.renumber(numbers);
         if (layers_) layers_->placedFrom(sources_ + entries_.size());
     }

@@ -57,9 +57,9 @@ public:
     {}
 
     void allocate(FieldStore<dim>&) const;
-    /// Fields that images need room for: what they are by themselves, and what is gathered by index; all else that passes gather is computed where it is packed. Where walls are layers these are all fields that
+    /// Fields that images need room for: what they are by themselves; all else that passes gather is computed where it is packed. Where walls are layers these are all fields that
     /// some pass gathers, and where ranks share the particles those that rules of images read of copies as well.
-    std::set<std::string> imaged(const Images<dim>&, const FieldStore<dim>&) const;
+    std::set<std::string> imaged(const Images<dim>&) const;
     /// Binds terms to their arrays; to be called again after each change of the arrays or the coefficients.
     void bind(FieldStore<dim>&, const Coefficients&);
     /// Runs the passes of a group. `kernel` is the scene's, the same for all groups: a group that has its own says so itself. `deltaT` [s] is the step of laws that
@@ -88,7 +88,7 @@ public:
     void countInto(Counts* counts) { counts_ = counts; }
 
     /// Passes of a group with the terms in them, numbered on from `operation` and `pass`, why each term is there, columns gathered, image fields
-    /// refreshed.
+    /// refreshed, and computed when packed.
     void printGroup(std::ostream&, std::size_t group, int& pass, int& operation) const;
     /// Fields, bytes, and the terms of the catalogue that no group has.
     void printFields(std::ostream&, const FieldStore<dim>&) const;
@@ -101,14 +101,14 @@ private:
     {
         std::vector<const Entry*> entries;
         std::map<std::string, int> firstColumn;      ///< components read at j, each gathered once
-        std::vector<FieldUse<dim>> columns, refresh; ///< refresh: those written since images last saw them
+        std::vector<FieldUse<dim>> columns, refresh; ///< refresh: those written since images last saw them, where they have room for them
         std::vector<const double*> sources;
-        struct Packed
+        struct Computed
         {
             FieldUse<dim> field;
             std::size_t column; ///< its first
         };
-        std::vector<Packed> packed; ///< fields without room for images
+        std::vector<Computed> computed; ///< fields without room for images, whose values are computed where they are packed
         std::vector<std::unique_ptr<Operation<dim>>> operations;
         PairFactors factors;                          ///< columns of the factors, behind those of the terms
         bool readsKernel = false, normalised = false; ///< normalised: gradW over the mean gradientScale of the pair
@@ -133,20 +133,13 @@ private:
     std::vector<Passes> groups_;
     /// Positions and columns of the pass at hand, packed, as doubles or floats.
     std::vector<std::byte, AlignedAllocator<std::byte>> records_;
-    std::set<std::string> packed_; ///< fields that have no room for images, whose values some pass computes where it packs them
+    std::set<std::string> computed_; ///< fields that some pass computes of images
     bool keepsSingleSlopes_ = false;
     Counts* counts_ = nullptr;
     long pairPassesRun_ = 0;
 
     std::set<std::string> readAtNeighbours() const;
     std::set<std::string> readOfCopies() const;
-    /// The columns that a pass reads at neighbours, by field and component: those of its terms, and the factors of pairs behind them.
-    struct ColumnsOfPass
-    {
-        std::vector<std::pair<std::string, int>> all;
-        PairFactors factors;
-    };
-    ColumnsOfPass columnsOf(const Group&, const Pass&, const FieldStore<dim>&) const;
     /// Calls f(field) for all that an entry reads, rules of images included.
     void forEachRead(const Entry&, const std::function<void(const FieldUse<dim>&)>& f) const;
     std::set<std::string> outdatedBy(std::set<std::string> fields) const;

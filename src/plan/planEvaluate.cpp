@@ -67,21 +67,16 @@ template<int dim> std::set<std::string> Plan<dim>::readOfCopies() const
     return read;
 }
 
-template<int dim> std::set<std::string> Plan<dim>::imaged(const Images<dim>& images, const FieldStore<dim>& store) const
+template<int dim> std::set<std::string> Plan<dim>::imaged(const Images<dim>& images) const
 {
     if (images.halo()) return readOfCopies();
-    auto read = readAtNeighbours();
-    if (images.layers()) return read;
+    if (images.layers()) return readAtNeighbours();
     std::set<std::string> own{Position::info.name, ImageWeight::info.name};
     for (const auto& g : groups_)
     {
         for (const auto& pass : g.passes)
-        {
             for (const auto& f : pass.columns)
                 if (f.info.image == Image::placed) own.insert(f.name);
-            const auto columns = columnsOf(g.group, pass, store).all;
-            if (pass.pair() && !pass.single && Stencil<dim>::lastByIndex(int(columns.size()))) own.insert(columns.back().first);
-        }
         if (g.group.sharesBy.empty()) continue;
         own.insert(BoundaryShare::info.name);
         own.insert(g.group.sharesBy.begin(), g.group.sharesBy.end());
@@ -103,44 +98,41 @@ template<int dim> std::vector<std::string> Plan<dim>::copiedFor(const Pass& pass
     return {fields.begin(), fields.end()};
 }
 
-template<int dim> auto Plan<dim>::columnsOf(const Group& group, const Pass& pass, const FieldStore<dim>& store) const -> ColumnsOfPass
-{
-    ColumnsOfPass columns;
-    for (const auto& f : pass.columns)
-        for (int c = 0; c < f.type.components; ++c) columns.all.emplace_back(f.name, c);
-    const auto factor = [&](bool needed, const FieldInfo& info)
-    {
-        if (needed) columns.all.emplace_back(info.name, 0);
-        return needed ? int(columns.all.size()) - 1 : -1;
-    };
-    const bool given = !group.sharesBy.empty(), weighs = pass.pair() && (!pass.slopes || pass.readsKernel);
-    columns.factors.weight = factor(weighs && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info);
-    columns.factors.scale = factor(pass.normalised && !pass.slopes, GradientScale::info);
-    return columns;
-}
-
 template<int dim> void Plan<dim>::bind(FieldStore<dim>& store, const Coefficients& coefficients)
 {
-    packed_.clear();
+    computed_.clear();
     for (auto& g : groups_)
     {
         std::set<std::string> written = state_; // what adds to a state changes it, and never overwrites it
         for (auto& pass : g.passes)
         {
             pass.sources.clear();
-            pass.packed.clear();
+            pass.computed.clear();
             pass.operations.clear();
-            const auto columns = columnsOf(g.group, pass, store);
-            for (const auto& [field, c] : columns.all) pass.sources.push_back(store.component(field, c));
-            pass.factors = columns.factors;
-            const auto packedIf = [&](const FieldUse<dim>& f, int column)
+            for (const auto& f : pass.columns)
+                for (int c = 0; c < f.type.components; ++c) pass.sources.push_back(store.component(f.name, c));
+            const auto factor = [&](bool needed, const FieldInfo& info)
+            {
+                if (needed) pass.sources.push_back(store.component(info.name, 0));
+                return needed ? int(pass.sources.size()) - 1 : -1;
+            };
+            const bool given = !g.group.sharesBy.empty();
+            const bool weighs = pass.pair() && (!pass.slopes || pass.readsKernel);
+            pass.factors = {factor(weighs && (given || store.has(ImageWeight{})), given ? BoundaryShare::info : ImageWeight::info),
+                            factor(pass.normalised && !pass.slopes, GradientScale::info)};
+            bool lastIsComputed = false;
+            const auto computeIf = [&](const FieldUse<dim>& f, int column)
             {
                 if (column < 0 || store.imaged(f.name)) return;
-                pass.packed.push_back({f, std::size_t(column)});
-                packed_.insert(f.name);
+                pass.computed.push_back({f, std::size_t(column)});
+                computed_.insert(f.name);
+                lastIsComputed = lastIsComputed || std::size_t(column + f.type.components) == pass.sources.size();
             };
-            for (const auto& f : pass.columns) packedIf(f, pass.firstColumn.at(f.name));
-            packedIf(uses<dim>(Fields<GradientScale>{})[0], pass.factors.scale);
+            for (const auto& f : pass.columns) computeIf(f, pass.firstColumn.at(f.name));
+            computeIf(uses<dim>(Fields<GradientScale>{})[0], pass.factors.scale);
+            // What is packed alone has values of images: a last column that would be gathered by index is packed in a pair.
+            if (lastIsComputed && !pass.single && Stencil<dim>::lastByIndex(int(pass.sources.size())))
+                pass.sources.push_back(store.component(Position::info.name, 0));
             for (const auto* e : pass.entries)
             {
                 auto names = e->names;
@@ -167,11 +159,12 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const Images<dim>
     std::vector<const double*> from;
     for (const double* p : store.pointers(Position{})) from.push_back(p);
     from.insert(from.end(), pass.sources.begin(), pass.sources.end());
-    from.resize(from.size() + std::size_t(std::max(recordSize, single)), from[0]);
+    from.resize(std::size_t(std::max(dim + columns + recordSize, single)), from[0]);
     auto ofImages = from; // what has room for them, in any value else
-    for (const auto& [field, column] : pass.packed) std::fill_n(ofImages.begin() + long(dim + column), field.type.components, from[0]);
+    for (const auto& [field, column] : pass.computed) std::fill_n(ofImages.begin() + long(dim + column), field.type.components, from[0]);
 
-    using Columns = std::array<const double*, std::bit_ceil(unsigned(dim + Stencil<dim>::maxColumns))>; // of a block
+    using Columns = std::array<const double*, std::bit_ceil(unsigned(dim + Stencil<dim>::maxColumns + recordSize))>; // of a block
+    static_assert(singleRecordSize<dim>(Stencil<dim>::maxColumns) <= int(Columns{}.size()));
     const auto units = images.placeUnits();
     const auto packBlock = [&](const Columns& block, std::size_t first, std::size_t count)
     {
@@ -201,13 +194,13 @@ void Plan<dim>::pack(const Pass& pass, FieldStore<dim>& store, const Images<dim>
         for (std::size_t first = begin; first < firstImage; first += size)
             packBlock(at(from, first), first, std::min(size, firstImage - first));
         static thread_local std::vector<double> computed;
-        computed.resize(from.size() * size);
+        if (!pass.computed.empty()) computed.resize(from.size() * size);
 #pragma omp for schedule(static) nowait
         for (std::size_t first = firstImage; first < end; first += size)
         {
             const std::size_t count = std::min(size, end - first);
             auto block = at(ofImages, first);
-            for (const auto& [field, column] : pass.packed)
+            for (const auto& [field, column] : pass.computed)
             {
                 std::array<double*, Stencil<dim>::maxColumns> to;
                 for (std::size_t c = 0; c < std::size_t(field.type.components); ++c)
@@ -377,9 +370,9 @@ template<int dim> void Plan<dim>::printGroup(std::ostream& out, std::size_t grou
             if (pass.single) out << " in single precision";
             out << "\n          images     positions";
             for (const auto& f : pass.refresh)
-                if (!packed_.contains(f.name)) out << ' ' << f.name;
-            if (!pass.packed.empty()) out << "; when packed";
-            for (const auto& [field, _] : pass.packed) out << ' ' << field.name;
+                if (!computed_.contains(f.name)) out << ' ' << f.name;
+            if (!pass.computed.empty()) out << "; when packed";
+            for (const auto& [field, _] : pass.computed) out << ' ' << field.name;
             if (pass.keepsWithin || pass.keepsSlopes) out << "\n          keeps     ";
             if (pass.keepsWithin) out << " neighbours";
             if (pass.keepsSlopes) out << " (dW/dr)/r" << (keepsSingleSlopes_ ? " in single precision" : "");

@@ -40,7 +40,7 @@ Particles<dim>::Particles(const Settings& settings, const Geometry& geometry, co
     if (images_.recalls()) store_.allocateState(ImagesMade{});
     for (const auto& maker : settings.runningModels) runningModels_.push_back(maker.template make<dim>()(*this, restored));
     for (const auto place : withinStages) joined_[place] = stages(place);
-    store_.keepImagesOf(plan_.imaged(images_, store_));
+    store_.keepImagesOf(plan_.imaged(images_));
     load(std::move(cloud), !restored.empty());
     run(JoinPoint::loaded);
     rebuild();

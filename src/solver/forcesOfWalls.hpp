@@ -16,7 +16,7 @@ void askForForcesOfWalls(Settings&);
 /// The function objects of that type in system/controlDict.
 std::vector<Dictionary> functionsOfType(const Case&, const std::string&);
 
-/// Refreshes the velocities of images: those of a step that solves for viscosity are of its end, and images have those of its start.
+/// Refreshes the velocities of images where they have arrays, those of several ranks or layers: the velocities of a step that solves for viscosity are of its end, and images have those of its start there.
 template<int dim> void refreshVelocities(Particles<dim>&);
 
 /// BoundaryShare of those neighbours that count in the sums of a group of given shares, 0 of all others.

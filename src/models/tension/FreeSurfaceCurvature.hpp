@@ -196,7 +196,7 @@ struct AddTension
     auto operator()(const auto& i) const { return i.a_t; }
 };
 
-/// Ghosts of walls within the support; reads the numbers of images, by which a body is followed through periodic faces (FreeBodies.hpp).
+/// Ghosts of walls within the support; reads the numbers of particles, so that copies of other ranks' have them, by which a body is followed through periodic faces (FreeBodies.hpp).
 struct CountGhosts
 {
     using Provides = GhostsSeen;
